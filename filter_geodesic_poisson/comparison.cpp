@@ -38,7 +38,7 @@ public:
 	{
 	}
 
-	/// Progress of a part of the work, from one share of the bar to another.
+	/// Progress of a part of the work, between two shares of the bar.
 	gpr::ProgressCallback part(double from, double to) const
 	{
 		if (_progress == nullptr) return nullptr;
@@ -46,7 +46,7 @@ public:
 			return _progress(from + (to - from) * share, phrase);
 		};
 	}
-	/// For the engine, which takes 0 for no limit. Throws Refusal where none is left.
+	/// For the engine; 0 means no limit. Throws Refusal if no time is left.
 	double secondsLeft() const
 	{
 		if (_limit > 0 && _clock.seconds() >= _limit) refuse();
@@ -89,7 +89,7 @@ void remesh(const gpr::MeshView& input, const gpr::RemeshOptions& options, const
 				  "ask for another number of vertices.");
 }
 
-/// A step of Quadric Edge Collapse takes one face or two away, and its clean-up some more.
+/// A step of Quadric Edge Collapse removes a face or two, and the clean-up some more.
 bool reaches(std::size_t reached, std::size_t wanted)
 {
 	const std::size_t slack = std::max<std::size_t>(2, wanted / 100);

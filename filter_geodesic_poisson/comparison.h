@@ -3,8 +3,8 @@
 #ifndef FILTER_GEODESIC_POISSON_COMPARISON_H
 #define FILTER_GEODESIC_POISSON_COMPARISON_H
 
-// The whole way and MeshLab's Quadric Edge Collapse on one mesh; knows nothing of MeshLab's
-// document.
+// The whole remeshing and MeshLab's Quadric Edge Collapse on the same mesh; independent of
+// MeshLab's document.
 
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/surface_distance.h>
@@ -14,7 +14,7 @@
 
 namespace gpr_filter {
 
-/// The figures of a mesh, whoever made it.
+/// The figures of a mesh of any maker.
 struct MeasuredMesh {
 	gpr::MeshFigures    figures;
 	gpr::QualityFigures quality;
@@ -40,10 +40,10 @@ struct Comparison {
 	std::vector<std::string> notes;  ///< of the remeshing
 };
 
-/// Remeshes the mesh, has Quadric Edge Collapse make as many faces of it, and measures both. The
-/// time limit of the options is for all of it. Throws Refusal: where remeshing fails, where Quadric
-/// Edge Collapse cannot reach that number of faces, out of time, cancelled. Cost: that of both, and
-/// some seconds a million faces.
+/// Remeshes the mesh, has Quadric Edge Collapse make as many faces, and measures both results. The
+/// time limit of the options is for the whole. Throws Refusal: if remeshing fails, if Quadric Edge
+/// Collapse cannot reach the number of faces, out of time, cancelled. Cost: both runs, and some
+/// seconds a million faces.
 Comparison compareWithQuadricCollapse(const gpr::MeshView& input, const gpr::RemeshOptions& options,
 									  const gpr::ProgressCallback& progress);
 

@@ -19,8 +19,8 @@ QString fixed(double value, int decimals)
 	return QString::number(value, 'f', decimals);
 }
 
-/// MeshLab's log has letters of one width, and room for some fifty. It is HTML, in which several
-/// spaces are one, but not those that do not break.
+/// MeshLab's log has letters of equal width, and room for some fifty. The log is HTML, which joins
+/// several spaces, but not non-breaking spaces.
 QString tableRow(const QString& label, const QString& input, const QString& remeshed,
 				 const QString& collapsed)
 {

@@ -11,11 +11,12 @@
 
 namespace gpr_filter {
 
-/// For the log: what was compared, a table with a line for each figure and a column for the input
-/// and each result, and what became of the topology where it changed.
+/// For the log: the compared meshes, a table with a line for each figure and a column for the input
+/// and each result, and the topology if changed.
 std::vector<std::string> comparisonLines(const Comparison& comparison);
 
-/// For programs: those of remeshing, and after "quadric_" those of Quadric Edge Collapse.
+/// For programs: the figures of remeshing, and after "quadric_" the figures of Quadric Edge
+/// Collapse.
 Figures comparisonFigures(const Comparison& comparison);
 
 } // namespace gpr_filter

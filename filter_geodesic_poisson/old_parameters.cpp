@@ -9,11 +9,11 @@ namespace gpr_filter {
 
 namespace {
 
-/// A parameter that scripts may still name.
+/// A former parameter that scripts may still name.
 struct OldParameter {
 	const char* key;
-	double      usual;   ///< its default, which is what is done now
-	const char* instead; ///< what is done now, and what takes its place
+	double      usual;   ///< its default, which is the present behaviour
+	const char* instead; ///< the present behaviour, and the replacement
 };
 
 constexpr OldParameter kOldParameters[] = {
@@ -37,7 +37,7 @@ double numberOf(const RichParameter& parameter)
 												 : double(parameter.value().getInt());
 }
 
-/// Asked for the type first, because MeshLab asserts on the wrong one.
+/// The type first, because MeshLab asserts on the wrong type.
 bool isNumber(const RichParameter& parameter)
 {
 	const QString type = parameter.stringType();

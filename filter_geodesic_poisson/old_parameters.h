@@ -11,12 +11,12 @@
 
 namespace gpr_filter {
 
-/// Sentences about parameters of a script that were taken out and ask for something else than what
-/// is done now. Those with their old default ask for nothing.
+/// Sentences about former parameters of a script with values other than the present behaviour.
+/// Former parameters with their old default need no sentence.
 std::vector<std::string> notesOnOldParameters(const RichParameterList& list);
 
-/// Whether a script was written when a method of each stage was a parameter. Its adaptivity of 0.1
-/// stands for gpr::Automatic.
+/// Whether a script comes from the time with a parameter for the method of each stage. Its
+/// adaptivity of 0.1 means gpr::Automatic.
 bool isOldScript(const RichParameterList& list);
 
 } // namespace gpr_filter

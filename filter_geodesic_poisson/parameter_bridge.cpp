@@ -31,7 +31,7 @@ QStringList textsOf(const std::vector<const char*>& choices)
 	return texts;
 }
 
-/// As widgets and scripts have it.
+/// In the form of widgets and scripts.
 double scriptNumber(const ParameterValue& value)
 {
 	return std::holds_alternative<gpr::Automatic>(value) ? kAutomaticNumber
@@ -44,7 +44,7 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, const ParameterVa
 	const QString key   = QString::fromUtf8(row.key);
 	const QString label = QString::fromStdString(dialogLabel(row));
 	const QString help  = QString::fromStdString(gpr::dialogHelp(row));
-	// The dialog divides by the range of a length: an empty layer gets one, too.
+	// The dialog divides by the range of a length: an empty layer gets a range, too.
 	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
 	switch (row.kind) {
 	case ParameterKind::Count:
@@ -73,8 +73,8 @@ ParameterValue numberIn(const Parameter& row, double number)
 	return number;
 }
 
-/// The row's value in a list that has it; nothing where it is of another type.
-/// Asked for the type first, because MeshLab asserts on the wrong one.
+/// The row's value in a list with this row; nothing for a value of another type. The type is tested
+/// first, because MeshLab asserts on the wrong type.
 std::optional<ParameterValue> find(const Parameter& row, const RichParameterList& list)
 {
 	const RichParameter& parameter = list.getParameterByName(QString::fromUtf8(row.key));
@@ -135,7 +135,7 @@ void keep(const Parameter& row, const ParameterValue& value, ReadParameters& rea
 		read.values.set(row, value);
 }
 
-/// An adaptivity of 0.1 meant that none was chosen.
+/// An adaptivity of 0.1 meant no choice.
 bool isOldDefault(const Parameter& row, const ParameterValue& value, const RichParameterList& list)
 {
 	constexpr double oldDefault = 0.1;
@@ -183,7 +183,7 @@ ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr:
 			keep(row, isOldDefault(row, *value, list) ? row.defaultValue(facts) : *value, read);
 		}
 	}
-	// Only when every row was usable: the rest would be about values that nobody gave.
+	// Only if every row was usable: otherwise complaints would be about values that nobody gave.
 	if (read.complaints.empty()) read.complaints = read.values.complaints();
 	return read;
 }

@@ -10,8 +10,8 @@
 
 namespace gpr_filter {
 
-/// Thrown where a filter cannot do what it was asked for: sentences for the user. It never leaves
-/// applyFilter, and nothing was changed when it is thrown.
+/// Thrown if a filter cannot do its work: sentences for the user. Never leaves applyFilter, and
+/// nothing was changed before.
 class Refusal : public std::runtime_error {
 public:
 	explicit Refusal(std::vector<std::string> sentences) :

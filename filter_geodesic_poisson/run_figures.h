@@ -10,11 +10,11 @@
 
 namespace gpr_filter {
 
-/// Names are public, as PyMeshLab hands them out: they change with a changelog line only. Lengths
+/// Names are public, since PyMeshLab exports these names: a change needs a changelog line. Lengths
 /// are in mesh units, angles in degrees.
 using Figures = std::map<std::string, double>;
 
-// What a finished run tells to programs; run_report.h has the same for people.
+// The figures of a finished run for programs; run_report.h has the same for people.
 
 Figures remeshingFigures(const gpr::RemeshResult& result);
 Figures samplingFigures(const gpr::SamplingResult& result);

@@ -58,7 +58,8 @@ QString markedLine(const gpr::FeatureFigures& f)
 		.arg(count(f.vertexNum), number(f.support, 6), number(f.minLength, 6));
 }
 
-/// "Samples: 700, of which 3 were off the surface and were put on it, the farthest by 0.01".
+/// "Samples: 700, of which 3 were off the surface and were put on the surface, the farthest by
+/// 0.01".
 QString samplesLine(const gpr::RemeshReport& r)
 {
 	QString line = QStringLiteral("Samples: %1, of which %2 were off the surface")
@@ -69,7 +70,7 @@ QString samplesLine(const gpr::RemeshReport& r)
 			   .arg(number(100 * r.largestSampleMove / r.input.diagonal, 3));
 }
 
-/// Empty where every sample is a vertex and every vertex a sample.
+/// Empty if every sample is a vertex and every vertex a sample.
 QString leftoverLine(const gpr::RemeshResult& result)
 {
 	const std::int64_t used = std::count_if(result.sampleOf.begin(), result.sampleOf.end(),
@@ -82,7 +83,7 @@ QString leftoverLine(const gpr::RemeshResult& result)
 	return parts.join("; ");
 }
 
-/// Empty where the whole mesh was remeshed.
+/// Empty if the whole mesh was remeshed.
 QString untouchedLine(const gpr::RemeshReport& r)
 {
 	if (r.untouchedFaceNum == 0) return QString();
@@ -121,7 +122,7 @@ QString qualityLine(const gpr::QualityFigures& q, const char* when = "Quality")
 					fixed(q.minAngleDeg, 1), fixed(q.maxAngleDeg, 1), number(q.below30Percent, 3));
 }
 
-/// "Cleaned: 3 duplicate faces, ..."; empty where there was nothing to clean.
+/// "Cleaned: 3 duplicate faces, ..."; empty without faults.
 QString cleanedLine(const gpr::CleanCounts& cleaned)
 {
 	QStringList parts;
@@ -141,9 +142,8 @@ QString auditLine(const gpr::AuditFigures& a)
 			 count(a.invertedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
 }
 
-/// How near the result is, as far as it was looked for: by the goal of a largest error, by the
-/// thorough check, or by the way that the fit moved vertices. Empty where no vertex left the
-/// surface.
+/// The distance of the result, as far as known: by the error bound, by the thorough check, or by
+/// the moves of the fit. Empty if no vertex left the surface.
 QString errorLine(const gpr::RemeshReport& r)
 {
 	if (r.check.done) {
@@ -159,7 +159,7 @@ QString errorLine(const gpr::RemeshReport& r)
 		.arg(lengthText(r.largestFitDistance, r));
 }
 
-/// Empty where nothing was proven.
+/// Empty without a proof.
 QString provenLine(const gpr::RemeshReport& r)
 {
 	if (!r.isDistanceProven) return QString();
@@ -196,7 +196,7 @@ QString timeLine(const gpr::RemeshReport& r)
 		.arg(fixed(r.remeshSeconds, 3), QString::number(r.threads), stages.join(", "));
 }
 
-/// What every run begins with.
+/// The common begin of all reports.
 template <class Result>
 QStringList firstLines(const Result& result)
 {

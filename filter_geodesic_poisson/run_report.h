@@ -10,15 +10,15 @@
 
 namespace gpr_filter {
 
-// What a finished run tells in MeshLab's log, one entry a line: notes, what was cleaned, bounds
-// reached, what came out of what, seconds by stage.
+// The report of a finished run in MeshLab's log, one entry a line: notes, repairs, caps reached,
+// counts before and after, seconds by stage.
 
-/// before: of the mesh as it was.
+/// before: of the mesh before the run.
 std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
 										const gpr::QualityFigures& before);
 std::vector<std::string> samplingLines(const gpr::SamplingResult& result);
 std::vector<std::string> featureLines(const gpr::FeatureResult& result);
-/// Also how many samples were off the surface and how far, and what became of all of them.
+/// Also the number of samples off the surface and their distance, and the use of all samples.
 std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result);
 
 } // namespace gpr_filter

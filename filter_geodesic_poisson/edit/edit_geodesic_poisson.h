@@ -13,8 +13,8 @@ class EditSession;
 struct EditMemory;
 } // namespace gpr_filter
 
-/// The edit tool, one a document: names and types of MeshLab's interface, nothing of what the tool
-/// does.
+/// The edit tool, one for each document: names and types of MeshLab's interface, and nothing of the
+/// tool's work.
 class EditGeodesicPoisson : public QObject, public gpr_filter::EditTool {
 	Q_OBJECT
 
@@ -44,7 +44,7 @@ class EditGeodesicPoissonPlugin : public QObject, public gpr_filter::EditPlugin 
 	Q_INTERFACES(GPR_EDIT_PLUGIN)
 
 public:
-	/// Runs before a host has checked version and scalar, so it does next to nothing.
+	/// Runs before a host has checked version and scalar, so the constructor does next to nothing.
 	EditGeodesicPoissonPlugin();
 
 	QString               pluginName() const override;

@@ -27,14 +27,14 @@ namespace {
 
 /// After so long without a change the whole preset follows the draft.
 constexpr int kRestMs = 500;
-/// Nearer to the wipe line than this, in the window's pixels, it is dragged.
+/// A press nearer to the wipe line than this, in the window's pixels, drags the line.
 constexpr double kWipeReach   = 8;
 constexpr int    kFlightSteps = 12, kFlightStepMs = 30;
-/// The triangle that is flown to is so long in the view, which is 3.5 high.
+/// The length of the triangle after a flight, in a view of the height 3.5.
 constexpr double kLengthInView = 0.35;
 constexpr int    kBeatMs = 10, kStallMs = 50;
 
-/// Whether a copy for one of the options will do for the other.
+/// Whether a copy of the layer for one set of options serves the other set.
 bool readTheSame(const gpr::RemeshOptions& a, const gpr::RemeshOptions& b)
 {
 	const auto readsRegion = [](const gpr::RemeshOptions& o) {
@@ -55,7 +55,7 @@ Background backgroundOf(const GLArea& view)
 	return background;
 }
 
-/// The rotation that turns a direction towards the eye.
+/// The rotation from a direction to the eye.
 vcg::Quaternionf towardsEye(const vcg::Point3f& direction)
 {
 	const vcg::Point3f eye(0, 0, 1);
@@ -124,7 +124,7 @@ EditSession::~EditSession()
 	if (panel_ != nullptr) memory_.choices = panel_->choices();
 	worker_.reset();
 	delete panel_;
-	if (isViewGone_) return; // and the document with it
+	if (isViewGone_) return; // and the document with the view
 	hideOriginal(false);
 	view_.makeCurrent();
 	painter_.release();
@@ -140,7 +140,7 @@ MeshModel* EditSession::layer()
 
 gpr::RemeshOptions EditSession::wantedOptions(bool isDraft)
 {
-	// By way of MeshLab's own list, so that numbers are those that the filter would read.
+	// From MeshLab's own list, so that the numbers are the numbers of the filter.
 	const std::vector<gpr::Parameter>& table  = rowsOf(RemeshFilter);
 	PanelValues                        values = panel_->values();
 	if (isDraft) values["Preset"] = std::int64_t(gpr::Preset::Fast);
@@ -188,7 +188,7 @@ void EditSession::requestFull()
 	if (!rest_.isActive() && isDraftDone_) request(false);
 }
 
-/// The full run follows, unless it is under way or over.
+/// The full run follows, unless under way or over.
 void EditSession::endDraft()
 {
 	if (isDraftDone_) return;
@@ -196,7 +196,7 @@ void EditSession::endDraft()
 	requestFull();
 }
 
-/// Beside the result that is shown.
+/// Beside the shown result.
 void EditSession::requestQuadric()
 {
 	const ViewChoices& choices = panel_->choices();
@@ -208,7 +208,7 @@ void EditSession::requestQuadric()
 	worker_->request(request);
 }
 
-/// Not what is proposed: that may be something else next time, as where vertices were selected.
+/// Without proposed values: the proposal may differ next time, for instance with selected vertices.
 void EditSession::rememberValues()
 {
 	for (const auto& [key, value] : panel_->values()) {
@@ -275,7 +275,7 @@ void EditSession::showPreview(std::shared_ptr<const Preview> preview)
 	if (isApplying_ && isUpToDate()) finishApply();
 }
 
-/// Whether what is shown is what the panel asks for, with its preset.
+/// Whether the shown result is the wanted result of the panel, with its preset.
 bool EditSession::isUpToDate() const
 {
 	return shown_ != nullptr && !shown_->isDraft && shown_->request == lastRequest_ &&
@@ -359,10 +359,10 @@ void EditSession::draw()
 						  choices.place == PreviewPlace::InPlaceOfOriginal;
 	if (isHidden == view_.meshVisibilityMap.value(layerId_)) {
 		hideOriginal(isHidden);
-		view_.update(); // once more without it, or with it
+		view_.update(); // once more, with or without the result
 	}
 	vcg::Matrix44f transform = vcg::Matrix44f::Construct(layer()->cm.Tr);
-	vcg::Transpose(transform); // OpenGL has it column by column
+	vcg::Transpose(transform); // OpenGL has the matrix column by column
 	const QSize size = view_.size() * view_.devicePixelRatio();
 	painter_.draw(choices, transform.V(), size, backgroundOf(view_));
 	if (shown_ == nullptr || shown_->request == drawnRequest_) return;

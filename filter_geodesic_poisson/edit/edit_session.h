@@ -17,15 +17,15 @@ class QMouseEvent;
 
 namespace gpr_filter {
 
-/// What a tool remembers from one use to the next.
+/// The memory of a tool from one use to the next.
 struct EditMemory {
-	PanelValues values;                      ///< those that the user changed
-	int         layerId = -1, vertexNum = 0; ///< of the layer that sizes are for
+	PanelValues values;                      ///< values changed by the user
+	int         layerId = -1, vertexNum = 0; ///< of the layer of the sizes
 	ViewChoices choices;
 };
 
-/// One use of the edit tool: from the press on its icon to the next one, or to Apply. It joins
-/// panel, worker and painter; everything is called from the window's thread.
+/// One use of the edit tool: from the press on its icon to the next press, or to Apply. The session
+/// joins panel, worker and painter; all calls come from the window's thread.
 class EditSession : public QObject {
 	Q_OBJECT
 
@@ -33,10 +33,10 @@ public:
 	/// Copies the layer and shows the panel. The memory must outlive this.
 	EditSession(MeshDocument& document, MeshModel& layer, GLArea& view,
 				MLSceneGLSharedDataContext& context, EditMemory& memory);
-	/// Ends a run that is under way; the layer is seen as before.
+	/// Ends a run under way; the layer is shown as before.
 	~EditSession() override;
 
-	/// To be called where the view goes first: neither it nor the document is touched any more.
+	/// To be called if the view goes first: view and document are then not touched any more.
 	void forgetView() { isViewGone_ = true; }
 
 	void draw();
@@ -61,7 +61,7 @@ private:
 	std::uint64_t                  lastRequest_  = 0;
 	std::uint64_t                  drawnRequest_ = 0;
 	std::shared_ptr<const Preview> shown_;
-	gpr::RemeshOptions             copiedFor_; ///< the options that the worker's copy is for
+	gpr::RemeshOptions             copiedFor_; ///< the options of the worker's copy
 	bool                           isApplying_ = false, isWiping_ = false, isViewGone_ = false;
 	bool             isDraftDone_ = true, isFullUnderWay_ = false; ///< of the last request
 	vcg::Similarityf flightStart_, flightEnd_;

@@ -5,7 +5,7 @@
 
 namespace gpr_filter {
 
-/// What the tool is called in menu and toolbar.
+/// The name of the tool in menu and toolbar.
 constexpr const char* kEditName = "Geodesic Poisson Remeshing";
 constexpr const char* kEditDescription =
 	"Remeshes the current layer while you move a slider. The layer stays as it is until Apply.";

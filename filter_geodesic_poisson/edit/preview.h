@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_PREVIEW_H
 #define FILTER_GEODESIC_POISSON_PREVIEW_H
 
-// What a run of the edit tool hands to the window; knows nothing of MeshLab.
+// The results of a run of the edit tool for the window; independent of MeshLab.
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/results.h>
@@ -15,7 +15,7 @@
 
 namespace gpr_filter {
 
-/// A corner of a face as it is drawn; colours are red, green, blue, opaque.
+/// A corner of a drawn face; colours are red, green, blue, opaque.
 struct DrawnCorner {
 	float        position[3];
 	float        normal[3];
@@ -34,9 +34,9 @@ struct Spot {
 	double     figure = 0; ///< its quality, or its distance from the input
 };
 
-/// A result and what is shown of it. Nothing of it changes any more.
+/// A result and its views. Constant once made.
 struct Preview {
-	std::uint64_t                            request = 0; ///< which one it answers
+	std::uint64_t                            request = 0; ///< the number of the answered request
 	bool                                     isDraft = false;
 	std::shared_ptr<const gpr::RemeshResult> result;
 	std::shared_ptr<const DrawnFaces>        faces;
@@ -46,16 +46,16 @@ struct Preview {
 	Spot                                     worstTriangle, farthest;
 };
 
-/// The result with its faces, coloured by quality, and the worst one. Cost: linear.
+/// The result with its faces, coloured by quality, and the worst face. Cost: linear.
 Preview shownResult(std::shared_ptr<const gpr::RemeshResult> result, gpr::Workers& workers);
 
-/// The same with distances from the input, and coloured by them, too. `target` is the input's
-/// surface. Cost: some seconds a million faces.
+/// The same with distances from the input, and coloured by distance, too. `target` is the surface
+/// of the input. Cost: some seconds a million faces.
 Preview measuredResult(const Preview& shown, const gpr::MeshView& input,
 					   const gpr::MeasuredSurface& target, gpr::Workers& workers);
 
-/// The faces of any mesh, coloured by quality, and by distance where `target` is not null.
-/// `largest`: the distance that is red; 0 takes that of the mesh.
+/// The faces of any mesh, coloured by quality, and by distance if `target` is not null. `largest`:
+/// the distance in red; 0 takes the largest distance of the mesh.
 DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::MeasuredSurface* target, double largest,
 					  gpr::Workers& workers);
 

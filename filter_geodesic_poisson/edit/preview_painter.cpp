@@ -138,7 +138,7 @@ std::size_t colourOffset(PreviewColour colour)
 											 : offsetof(DrawnCorner, byQuality);
 }
 
-/// The result lies partly below the original, and both are to be seen.
+/// The result lies partly below the input, and both shall be visible.
 bool isOverOriginal(const ViewChoices& choices)
 {
 	return choices.place == PreviewPlace::OverOriginal && !choices.isWiped;
@@ -212,7 +212,7 @@ void PreviewPainter::release()
 	}
 }
 
-/// Leaves the buffer bound; false where the graphics card has no room.
+/// Leaves the buffer bound; false if the graphics card has no room.
 bool PreviewPainter::send(Sent& sent)
 {
 	if (!sent.buffer.isCreated() && !sent.buffer.create()) return false;

@@ -18,23 +18,23 @@ struct Background {
 	unsigned char top[3], bottom[3];
 };
 
-/// Draws a result, and that of Quadric Edge Collapse, with OpenGL's fixed pipeline. All calls need
-/// the view's context to be current.
+/// Draws a result, and the result of Quadric Edge Collapse, with OpenGL's fixed pipeline. All calls
+/// need the view's context to be current.
 class PreviewPainter {
 public:
 	~PreviewPainter();
 
-	/// Null: there is none. Cheap; what is new is sent to the graphics card by the next draw().
+	/// Null for no result. Cheap; new data go to the graphics card with the next draw().
 	void setResult(std::shared_ptr<const DrawnFaces> faces);
 	void setQuadric(std::shared_ptr<const DrawnFaces> faces);
 	bool hasResult() const { return result_.faces != nullptr; }
 	bool hasQuadric() const { return quadric_.faces != nullptr; }
 
 	/// transform: of the layer, sixteen numbers column by column; the view is set already. size: of
-	/// the view in pixels. All of OpenGL's state is left as it was.
+	/// the view in pixels. All of OpenGL's state is restored.
 	void draw(const ViewChoices& choices, const float* transform, const QSize& size,
 			  const Background& background);
-	/// Gives back what the graphics card holds.
+	/// Gives the memory of the graphics card back.
 	void release();
 
 private:

@@ -18,8 +18,8 @@ namespace gpr_filter {
 
 namespace {
 
-/// The window comes first where there are fewer cores than threads. The engine's threads are
-/// children of this one and take its priority over.
+/// The window comes first on machines with fewer cores than threads. The engine's threads are
+/// children of this thread and inherit its priority.
 void giveWayToTheWindow()
 {
 #ifdef __linux__
@@ -30,7 +30,7 @@ void giveWayToTheWindow()
 
 } // namespace
 
-/// The thread's own: the surface, and what was measured of it.
+/// The data of the thread: the surface, and its measures.
 class PreviewWorker::Runs {
 public:
 	explicit Runs(PreviewWorker& owner) : owner_(owner) {}
@@ -38,7 +38,8 @@ public:
 	void setLayer(std::shared_ptr<const LayerCopy> layer)
 	{
 		const bool isSame = layer_ != nullptr && layer_->sameGeometry(*layer);
-		const auto before = std::exchange(layer_, std::move(layer)); // the surface refers to it
+		const auto before =
+			std::exchange(layer_, std::move(layer)); // the surface refers to the layer
 		if (isSame)
 			surface_->setInput(layer_->view());
 		else
@@ -85,7 +86,7 @@ private:
 	bool                                isQualityKnown_ = false;
 	Preview                             last_;
 
-	/// False where there is no result.
+	/// False without a result.
 	bool remesh(const PreviewRequest& request)
 	{
 		auto made = std::make_shared<gpr::RemeshResult>(

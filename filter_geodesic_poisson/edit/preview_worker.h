@@ -19,30 +19,29 @@
 
 namespace gpr_filter {
 
-/// A run that is wanted.
+/// A wanted run.
 struct PreviewRequest {
 	std::uint64_t      id = 0; ///< ascending
 	gpr::RemeshOptions options;
 	bool               isDraft     = false; ///< neither measured nor compared
 	bool               withQuadric = false; ///< Quadric Edge Collapse makes as many faces, too
-	/// The last result, which was no draft, is still the right one; nothing is remeshed.
+	/// The last result, which was no draft, is still right; nothing is remeshed.
 	bool keepsResult = false;
 };
 
-/// What is new since it was last asked for.
+/// The news since the last request.
 struct PreviewNews {
 	std::shared_ptr<const Preview>    preview; ///< null: none
 	std::shared_ptr<const DrawnFaces> quadric; ///< of the preview shown last; null: none
 	double                            quadricSeconds = 0;
-	std::string                       failure; ///< of the last request; empty: it has not failed
+	std::string                       failure; ///< of the last request; empty without a failure
 	std::uint64_t                     failedRequest = 0;
 	double                            share         = 1; ///< of the work under way; 1: none
 	std::string                       phrase;
 };
 
 /// Remeshes a copy of a layer in a thread of its own, again and again with other options. A new
-/// request ends the run that is under way. Everything here is called from the window's thread, and
-/// returns at once.
+/// request ends the run under way. All calls come from the window's thread, and return at once.
 class PreviewWorker : public QObject {
 	Q_OBJECT
 
@@ -54,7 +53,7 @@ public:
 	/// The same vertices and faces with other marks.
 	void setLayer(std::shared_ptr<const LayerCopy> layer);
 	void request(const PreviewRequest& request);
-	/// Empties what it hands out.
+	/// Empties the returned data.
 	PreviewNews takeNews();
 	/// Figures of the layer, for the report; null until they are known.
 	std::shared_ptr<const gpr::QualityFigures> qualityOfLayer();
@@ -64,7 +63,7 @@ signals:
 	void newsArrived();
 
 private:
-	class Runs; ///< what only the worker's thread touches
+	class Runs; ///< data of the worker's thread only
 
 	std::mutex                                 mutex_; ///< for all below but the thread
 	std::condition_variable                    wake_;

@@ -18,7 +18,7 @@ using gpr::ParameterKind;
 using gpr::ParameterValue;
 using Values = std::map<std::string, ParameterValue>;
 
-/// The shortest text that stands for a number.
+/// The shortest text of a number.
 QString numberText(double number)
 {
 	char       text[64];
@@ -74,7 +74,7 @@ QString scriptFor(const Values& values, const gpr::MeshFacts& facts)
 	return script.trimmed() + "\n";
 }
 
-/// One of the rows for the size that is in force.
+/// Whether the row is a row for the size in force.
 bool isSizeInForce(const Parameter& row, const Values& values, const gpr::MeshFacts& facts)
 {
 	const auto isGiven = [&](const char* key) {
@@ -89,7 +89,7 @@ bool isSizeInForce(const Parameter& row, const Values& values, const gpr::MeshFa
 	return key == "TargetVertexNum";
 }
 
-/// Whether a row must be named for a host whose defaults are those for a mesh of these facts.
+/// Whether a row must be named for a host with the defaults for a mesh of these facts.
 bool mustBeNamed(const Parameter& row, const Values& values, const gpr::MeshFacts& layer,
 				 const gpr::MeshFacts& host)
 {

@@ -17,12 +17,12 @@ struct Recipe {
 	QString command; ///< a line for the shell
 	QString python;  ///< a line for PyMeshLab
 
-	/// All three, each with a line that says what it is for.
+	/// All three, each with a line about its purpose.
 	QString text() const;
 };
 
-/// The recipe for the remeshing of a mesh of these facts with these values; a value that is not
-/// given is the default. file: that of the layer.
+/// The recipe for the remeshing of a mesh of these facts with these values; a missing value means
+/// the default. file: of the layer.
 Recipe recipeFor(const std::map<std::string, gpr::ParameterValue>& values,
 				 const gpr::MeshFacts& facts, const QString& file);
 

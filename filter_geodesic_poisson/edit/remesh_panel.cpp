@@ -28,11 +28,11 @@ namespace gpr_filter {
 
 namespace {
 
-/// The rows of the table that the panel shows, in this order.
+/// The rows of the table in the panel, in this order.
 constexpr const char* kShownKeys[] = {
 	"TargetVertexNum", "TargetPerc",    "TargetLen",        "Preset",   "Adapt",   "Lambda",
 	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "NewLayer"};
-/// The three ways to give the size: one above 0 takes the place of the count.
+/// The three ways to give the size: a value above 0 takes the place of the count.
 constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
 
 constexpr int    kSliderSteps = 1000;
@@ -73,7 +73,7 @@ double largestNumber(const gpr::Parameter& row, const gpr::MeshFacts& facts)
 	return std::min(row.maximum, isLength && facts.diagonal > 0 ? facts.diagonal : 1e6);
 }
 
-/// Digits behind the point, so that a length has some five in all.
+/// Digits after the point, so that a length has some five digits in all.
 int decimalsFor(double largest)
 {
 	return std::clamp(4 - int(std::floor(std::log10(std::max(largest, 1e-30)))), 2, 12);
@@ -84,7 +84,7 @@ QString inPerMille(double length, double diagonal)
 	return QString::number(diagonal > 0 ? 1000 * length / diagonal : 0, 'f', 2) + " \u2030";
 }
 
-/// What comes and goes shall not move what is below it: a click would hit something else.
+/// Texts that come and go shall not move the widgets below: a click would hit another widget.
 void keepPlace(QWidget& widget)
 {
 	QSizePolicy policy = widget.sizePolicy();
@@ -99,7 +99,7 @@ void beTight(QLayout& layout)
 	layout.setContentsMargins(8, 2, 8, 3);
 }
 
-/// A slider whose handle comes to where it is pressed, and is dragged from there.
+/// A slider whose handle jumps to the pressed place, and is dragged from there.
 class JumpingSlider : public QSlider {
 public:
 	JumpingSlider() : QSlider(Qt::Horizontal) {}
@@ -221,7 +221,7 @@ QWidget* RemeshPanel::countField(const gpr::Parameter& row)
 	showValue_[key] = [this, box, key] {
 		const std::int64_t count = std::get<std::int64_t>(values_[key]);
 		box->setValue(int(count));
-		// The user's own place of the slider stays where it stands for this number.
+		// The slider stays at the user's place while the place means this number.
 		if (countAt(countSlider_->value(), facts_) != count)
 			countSlider_->setValue(stepOf(count, facts_));
 	};
@@ -237,7 +237,7 @@ QWidget* RemeshPanel::numberField(const gpr::Parameter& row)
 	const double step = isUnit ? kUnitStep : std::min(1.0, largest / 1000);
 	box->setSingleStep(step);
 	box->setKeyboardTracking(false);
-	// One step below the least number stands for none.
+	// One step below the least number means none.
 	const double least = row.isAutomatic ? row.minimum - step : row.minimum;
 	box->setRange(least, largest);
 	if (row.isAutomatic) box->setSpecialValueText(gpr::automaticName);
@@ -284,7 +284,7 @@ void RemeshPanel::show(const std::string& key)
 	isShowing_ = wasShowing;
 }
 
-/// The size that was given last is the one that counts.
+/// The size given last counts.
 void RemeshPanel::keepOneSize(const std::string& key)
 {
 	for (const char* other : kOtherSizes) {
@@ -391,7 +391,7 @@ void RemeshPanel::showLegend()
 					 right + "</b></td></tr></table>");
 }
 
-// ---- what came of it
+// ---- outcome
 
 void RemeshPanel::addOutcome(QVBoxLayout& column)
 {

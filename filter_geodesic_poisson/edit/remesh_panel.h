@@ -28,17 +28,17 @@ namespace gpr_filter {
 /// Values of parameters by their keys.
 using PanelValues = std::map<std::string, gpr::ParameterValue>;
 
-/// The panel at the side of the view: what is wanted, what is seen, and what came of it. It knows
-/// neither MeshLab nor the engine's runs.
+/// The panel at the side of the view: wanted result, shown views and outcome. Independent of
+/// MeshLab and of the engine's runs.
 class RemeshPanel : public QDockWidget {
 	Q_OBJECT
 
 public:
-	/// The defaults are those for a mesh of these facts; `values` of an earlier panel win.
+	/// The defaults are the defaults for a mesh of these facts; `values` of an earlier panel win.
 	RemeshPanel(const gpr::MeshFacts& facts, const PanelValues& values, const ViewChoices& choices,
 				QWidget* parent);
 
-	/// Of the rows that the panel shows.
+	/// Of the rows in the panel.
 	const PanelValues& values() const { return values_; }
 	const ViewChoices& choices() const { return choices_; }
 	/// The line was dragged in the view.
@@ -49,7 +49,7 @@ public:
 	void showQuadric(double seconds, std::size_t faceNum);
 	/// share 1 hides the bar.
 	void showProgress(double share, const std::string& phrase);
-	/// What could not be done; empty: nothing is wrong.
+	/// The reason of a failure; empty without a failure.
 	void showMessage(const std::string& sentence);
 	void setApplying(bool isApplying);
 

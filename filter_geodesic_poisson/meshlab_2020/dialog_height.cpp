@@ -25,10 +25,9 @@ namespace gpr_filter {
 namespace {
 
 // The host's dialog, a dock widget with a grid:
-//
-//   row 0    what the filter says of itself
+//   row 0    description of the filter
 //   row 1    the frame with the parameters: label, value, help
-//   row 2    Preview, where there is such a thing
+//   row 2    Preview, if there is one
 //   row 2/3  Default, Help
 //   row 3/4  Close, Apply
 constexpr int kParameterRow = 1;
@@ -39,7 +38,7 @@ bool changesByWheel(const QObject* value)
 		   qobject_cast<const QAbstractSpinBox*>(value) != nullptr;
 }
 
-/// The texts that Help shows get the height they need; the host's frame cuts them off.
+/// Gives the texts of Help their full height; the host's frame cuts the texts off.
 void showInFull(QLabel& text)
 {
 	QSizePolicy policy = text.sizePolicy();
@@ -50,7 +49,7 @@ void showInFull(QLabel& text)
 /// The rows of the host's frame: label, value, help.
 class ParameterRows {
 public:
-	/// everydayNum: how many rows, the first ones, are always shown.
+	/// everydayNum: the number of rows, from the first row on, that are always shown.
 	ParameterRows(QWidget& frame, int everydayNum) :
 			_frame(frame), _grid(qobject_cast<QGridLayout*>(frame.layout())),
 			_everydayNum(everydayNum)
@@ -58,8 +57,8 @@ public:
 	}
 
 	bool hasExpertRows() const { return _grid != nullptr && _everydayNum < _grid->rowCount(); }
-	/// The host's Help shows and hides the help of all rows, and this puts right what it did to
-	/// those that are hidden.
+	/// The host's Help shows and hides the help of all rows; this function corrects the hidden
+	/// rows.
 	void showExpertRows(bool shown)
 	{
 		if (!hasExpertRows()) return;
@@ -95,8 +94,8 @@ private:
 	}
 };
 
-/// Scrolls the parameters up and down, keeps the dialog as wide as they need it, and hides those
-/// for experts.
+/// Scrolls the parameters up and down, keeps the dialog as wide as needed, and hides the rows for
+/// experts.
 class ParameterArea : public QScrollArea {
 public:
 	/// othersHeight: of all else in the dialog.
@@ -121,7 +120,7 @@ public:
 		return {wantedWidth(), std::min(rowsHeight(), _mostHeight - _othersHeight)};
 	}
 
-	/// Takes the width that the parameters need now, and the dialog with it.
+	/// Takes the present width of the parameters, also for the dialog.
 	void fitDialog()
 	{
 		QWidget&  inside = *parentWidget()->parentWidget();
@@ -146,7 +145,7 @@ public:
 protected:
 	bool eventFilter(QObject* object, QEvent* event) override
 	{
-		// The wheel scrolls; it does not change the value that happens to be under it.
+		// The wheel scrolls, and does not change the value under the pointer.
 		if (event->type() == QEvent::Wheel && changesByWheel(object)) {
 			event->ignore();
 			return true;
@@ -167,8 +166,8 @@ private:
 	int           _mostHeight, _othersHeight;
 	bool          _expertsShown = false;
 
-	/// On a slow machine the window manager takes up the host's first, full height only after the
-	/// change, and with it overrides the change.
+	/// On a slow machine the window manager applies the host's first, full height after the change,
+	/// and so overrides the change.
 	void fitDialogAgain()
 	{
 		const QScreen* const screen = window()->screen();
@@ -184,7 +183,7 @@ private:
 	}
 };
 
-/// The arrow that shows the parameters for experts, and hides them again.
+/// The arrow that shows the parameters for experts, and hides these again.
 QToolButton* makeArrow(QWidget* parent)
 {
 	auto* const arrow = new QToolButton(parent);
@@ -247,7 +246,7 @@ void scrollParameters(QDockWidget& dialog, QGridLayout& grid, QWidget& parameter
 	const int  others  = title + parameters.y() + inside.height() - below.y() + grid.spacing();
 	const int  rows    = std::max(parameters.sizeHint().height(), parameters.height());
 	const bool experts = ParameterRows(parameters, everydayNum).hasExpertRows();
-	// The host forgets the height of its own text, so that the last rows can be behind the buttons.
+	// The host forgets the height of its own text, so the last rows can be behind the buttons.
 	const bool cutOff = parameters.geometry().bottom() > below.y();
 	if (!experts && others + rows <= most && !cutOff) return;
 
@@ -282,7 +281,7 @@ void shortenDialog(const QString& title, int everydayNum)
 	QWidget* const parameters = widgetAt(*grid, kParameterRow);
 	QWidget* const below      = widgetAt(*grid, kParameterRow + 1);
 	if (parameters == nullptr || below == nullptr) return;
-	// Default, pressed in a dialog that was shortened, comes here, too.
+	// Default, pressed in a shortened dialog, comes here, too.
 	if (parameters->findChild<QScrollArea*>() != nullptr) return;
 	scrollParameters(*dialog, *grid, *parameters, *below, everydayNum);
 }

@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_EDIT_INTERFACE_H
 #define FILTER_GEODESIC_POISSON_EDIT_INTERFACE_H
 
-// The interface of MeshLab 2020.09 to edit tools, under the names that it has in MeshLab 2025.07.
+// The interface of MeshLab 2020.09 to edit tools, under the names of MeshLab 2025.07.
 
 #include <QAction>
 #include <common/interfaces.h>

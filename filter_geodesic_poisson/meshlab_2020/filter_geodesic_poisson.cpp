@@ -66,7 +66,7 @@ void FilterGeodesicPoisson::initParameterSet(QAction* action, MeshDocument& docu
 	const std::vector<gpr::Parameter>& table = gpr_filter::rowsOf(gpr_filter::Filter(ID(action)));
 	gpr_filter::fillParameterList(table, gpr_filter::factsOf(document), list,
 								  gpr_filter::proposedFor(document));
-	// The host asks just before it shows the dialog; meshlabserver asks, too, and shows none.
+	// The host asks just before the dialog is shown; meshlabserver asks, too, and shows no dialog.
 	gpr_filter::shortenDialogLater(filterName(ID(action)), int(gpr_filter::everydayRowNum(table)),
 								   this);
 }
@@ -87,6 +87,6 @@ try {
 	return outcome.done;
 }
 catch (...) {
-	// No memory for the words about it.
+	// No memory for the words about the failure.
 	return false;
 }

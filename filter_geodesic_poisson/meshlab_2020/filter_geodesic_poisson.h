@@ -7,8 +7,8 @@
 
 #include <common/interfaces.h>
 
-/// The adapter to MeshLab 2020.09's plugin interface: names and types of that version, nothing of
-/// what the filters do.
+/// The adapter to MeshLab 2020.09's plugin interface: names and types of this version, and nothing
+/// of the filters' work.
 class FilterGeodesicPoisson : public QObject, public MeshFilterInterface {
 	Q_OBJECT
 	MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
@@ -37,8 +37,8 @@ public:
 	void initParameterSet(QAction* action, MeshDocument& document,
 						  RichParameterList& list) override;
 
-	/// Never throws. False, with errorMessage and a log line, when nothing was done: then the
-	/// document is as it was.
+	/// Never throws. False, with errorMessage and a log line, if nothing was done: then the
+	/// document is unchanged.
 	bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& list,
 					 vcg::CallBackPos* progress) override;
 

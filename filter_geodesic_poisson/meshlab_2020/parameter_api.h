@@ -9,7 +9,7 @@
 
 namespace gpr_filter {
 
-/// Adds a parameter; the dialogs of 2020.09 show all of them.
+/// Adds a parameter; the dialogs of 2020.09 show all parameters.
 template <class Kind, class... Arguments>
 void addParameter(RichParameterList& list, bool /*advanced*/, Arguments&&... arguments)
 {

@@ -3,8 +3,8 @@
 #ifndef FILTER_GEODESIC_POISSON_EDIT_API_H
 #define FILTER_GEODESIC_POISSON_EDIT_API_H
 
-// What the edit tool needs of the window of MeshLab 2025.07, beside meshlab_api.h. The program
-// exports nothing of GLArea: only what is virtual, inline or a field of it may be used.
+// The parts of the window of MeshLab 2025.07 for the edit tool, beside meshlab_api.h. The program
+// exports nothing of GLArea: only virtual functions, inline functions and fields may be used.
 
 #include "meshlab_api.h"
 
@@ -30,7 +30,7 @@ inline void hideLayer(MeshModel& layer)
 	layer.setVisible(false);
 }
 
-/// Sends a mesh that was changed to the graphics card anew.
+/// Sends a changed mesh to the graphics card anew.
 inline void showChangedMesh(MLSceneGLSharedDataContext& context, int layer)
 {
 	MLRenderingData::RendAtts all;

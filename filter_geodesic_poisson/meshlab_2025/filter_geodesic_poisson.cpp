@@ -94,7 +94,7 @@ std::map<std::string, QVariant> FilterGeodesicPoisson::applyFilter(const QAction
 	for (const std::string& line : outcome.lines) {
 		if (!line.empty()) tell(line);
 	}
-	// The failure box shows the text as HTML, Python as it is.
+	// The failure box shows the text as HTML, Python as plain text.
 	if (!outcome.done) throw MLException(gpr_filter::asHtml(outcome.lines, "\n"));
 	std::map<std::string, QVariant> figures;
 	for (const auto& [name, figure] : outcome.figures) {

@@ -7,8 +7,8 @@
 
 #include <common/plugins/interfaces/filter_plugin.h>
 
-/// The adapter to MeshLab 2025.07's plugin interface: names and types of that version, nothing of
-/// what the filters do. PyMeshLab of the same version calls the same.
+/// The adapter to MeshLab 2025.07's plugin interface: names and types of this version, and nothing
+/// of the filters' work. PyMeshLab of the same version calls the same functions.
 class FilterGeodesicPoisson : public QObject, public FilterPlugin {
 	Q_OBJECT
 	MESHLAB_PLUGIN_IID_EXPORTER(FILTER_PLUGIN_IID)
@@ -24,7 +24,8 @@ public:
 		FP_COMPARISON                 = gpr_filter::CompareFilter,
 	};
 
-	/// Runs before the host has checked version and scalar, so it does next to nothing.
+	/// Runs before the host has checked version and scalar, so the constructor does next to
+	/// nothing.
 	FilterGeodesicPoisson();
 
 	QString pluginName() const override;
@@ -44,7 +45,7 @@ public:
 										const MeshDocument& document) override;
 
 	/// Returns figures of the run, which PyMeshLab exports as a dictionary. Throws MLException,
-	/// after a log line, where nothing was done: then the document is as it was.
+	/// after a log line, if nothing was done: then the document is unchanged.
 	std::map<std::string, QVariant>
 	applyFilter(const QAction* action, const RichParameterList& list, MeshDocument& document,
 				unsigned int& postConditionMask, vcg::CallBackPos* progress) override;

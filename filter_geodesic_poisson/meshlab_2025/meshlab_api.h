@@ -3,8 +3,8 @@
 #ifndef FILTER_GEODESIC_POISSON_MESHLAB_API_H
 #define FILTER_GEODESIC_POISSON_MESHLAB_API_H
 
-// What the shared sources need of MeshLab and what has another name or form in other versions:
-// MeshLab 2025.07. The build chooses the folder, so that no source asks for the version.
+// The parts of MeshLab with another name or form in other versions, for the shared sources: MeshLab
+// 2025.07. The build chooses the folder, so no source asks for the version.
 
 #include <common/ml_document/mesh_document.h>
 #include <common/parameters/rich_parameter_list.h>
@@ -36,7 +36,7 @@ inline void dropTextures(MeshModel& layer)
 	layer.cm.normalmaps.clear();
 }
 
-/// Gives a layer the textures of another one.
+/// Gives a layer the textures of another layer.
 inline void copyTextures(const MeshModel& from, MeshModel& to)
 {
 	for (const std::string& name : from.cm.textures) {

@@ -9,7 +9,7 @@
 
 namespace gpr_filter {
 
-/// Adds a parameter; an advanced one is shown after a press on the dialog's arrow.
+/// Adds a parameter; an advanced parameter is shown after a press on the dialog's arrow.
 template <class Kind, class... Arguments>
 void addParameter(RichParameterList& list, bool advanced, Arguments&&... arguments)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a program in TypeScript does with the npm package; package_test.py has its types checked. Each line behind a comment
-// with ts-expect-error must be a mistake.
+// A program in TypeScript that uses the npm package; package_test.py has its types checked. The lines after
+// the expected errors below must be mistakes.
 import { GpremeshError, parameters, remesh, remeshFile } from "gpremesh";
 import type { Mesh, Options, Report, Run } from "gpremesh";
 

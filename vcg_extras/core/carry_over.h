@@ -10,12 +10,12 @@
 #include <limits>
 #include <type_traits>
 
-// How values of the caller's mesh come to points of its surface: the one rule for every host.
+// The rule by which values of the input come to points of the surface, for every host.
 
 namespace gpr {
 
-/// Σ weight·value over the corners of the point's face; valueOf(k) is the value at corner k.
-/// Corners without weight are left out, so that a NaN there does no harm.
+/// Σ weight·value over the corners of the point's face; valueOf(k) is the value at corner k. Skips
+/// corners without weight, as a value there may be NaN.
 template <class ValueOf>
 double meanOfCorners(const BarycentricPoint& at, const ValueOf& valueOf)
 {
@@ -26,14 +26,14 @@ double meanOfCorners(const BarycentricPoint& at, const ValueOf& valueOf)
 	return sum;
 }
 
-/// The corner with the largest weight, for values that have no mean: labels, numbers of images.
+/// The corner with the largest weight, for values without a mean: labels, numbers of images.
 inline int nearestCorner(const BarycentricPoint& at)
 {
 	return int(std::max_element(at.weight, at.weight + 3) - at.weight);
 }
 
-/// A mean as the type that values are kept in: whole numbers are rounded, as a constant colour
-/// would come out one darker if it were cut off, and kept within their range.
+/// Converts a mean to the type of the values. Whole numbers are rounded and clamped to their range:
+/// a constant colour would become darker by one if the fraction were cut off.
 template <class T>
 T meanAs(double mean)
 {

@@ -15,37 +15,34 @@
 
 namespace gpr {
 
-/// Non-owning view of the caller's triangle mesh; the engine never writes to it.
-/// Positions are triples of float or double, triangles triples of vertex indices, both with any
-/// stride and alignment, so that a view can lie directly on the vertex array of a vcg mesh or on a
-/// file in memory.
+/// A view of the input mesh, without ownership; the engine never writes to the arrays.
+/// Positions are triples of float or double, triangles are triples of vertex indices. Any stride
+/// and alignment is possible: a view can lie on the vertex array of a vcg mesh or on a mapped file.
 struct MeshView {
 	const void*         positions           = nullptr;
 	bool                doublePrecision     = false;
-	std::size_t         positionStrideBytes = 0; ///< distance of two consecutive positions
+	std::size_t         positionStrideBytes = 0; ///< between two consecutive positions
 	std::size_t         vertexNum           = 0;
 	const void*         triangles           = nullptr; ///< std::int32_t
 	std::size_t         triangleStrideBytes = 3 * sizeof(std::int32_t);
 	std::size_t         faceNum             = 0;
 	const std::uint8_t* selected = nullptr; ///< per vertex, or null; for FeatureRegion::Selection
-	/// Three a face, or null: not 0 where the edge from that corner to the next is a line, like a
-	/// seam of the texture, that edges of the result shall follow.
+	/// Three a face, or null: not 0 if the edge from this corner to the next is a feature line, as
+	/// at a seam of the texture. Edges of the result follow feature lines.
 	const std::uint8_t* line = nullptr;
-	/// Per face, or null: the label of the region that it belongs to. Edges of the result follow
-	/// the borders of regions as they follow lines, and its faces have labels too:
-	/// RemeshResult::region.
+	/// Per face, or null: the label of its region. Region borders are feature lines, and faces of
+	/// the result have labels: RemeshResult::region.
 	const std::int32_t* region = nullptr;
-	/// By their labels, or null: what notes call the regions.
+	/// By label, or null: names of the regions in notes.
 	const std::vector<std::string>* regionNames = nullptr;
-	/// Per vertex, or null for all: not 0 where a vertex of the border is to be kept; for
-	/// BoundaryMode::Keep.
+	/// Per vertex, or null for all: not 0 if BoundaryMode::Keep keeps the vertex of the border.
 	const std::uint8_t* keptBorder = nullptr;
-	/// Per face, or null: not 0 where it is selected; for RemeshOptions::selectedOnly.
+	/// Per face, or null: not 0 if selected; for RemeshOptions::selectedOnly.
 	const std::uint8_t* selectedFace = nullptr;
-	/// Per vertex, or null: the edge length wanted there, mesh units, above 0.
+	/// Per vertex, or null: the local size, mesh units, above 0.
 	const float* wantedEdge = nullptr;
-	/// Of half a symmetric mesh whose mirror image will be joined to it: the axis on whose plane at
-	/// 0 its border lies; all else lies above 0 there. -1: it is no half.
+	/// For half of a symmetric mesh: the axis perpendicular to the mirror plane; else -1. The
+	/// mirror plane is at 0: the border of the cut lies on the plane, all else above.
 	int mirrorAxis = -1;
 
 	MeshView() = default;
@@ -78,7 +75,7 @@ struct MeshView {
 					sizeof corner);
 		return corner;
 	}
-	/// That of corner c, of face c / 3.
+	/// The vertex of corner c, which is corner c % 3 of face c / 3.
 	std::int32_t vertexOf(std::size_t c) const { return triangle(c / 3)[c % 3]; }
 
 	/// Whether faces have different labels.
@@ -96,7 +93,7 @@ struct MeshView {
 	}
 };
 
-/// All indices of a view, three a triangle.
+/// The vertex indices of all corners.
 inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
 {
 	std::vector<std::int32_t> all(3 * mesh.faceNum);
@@ -105,16 +102,16 @@ inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
 	return all;
 }
 
-/// A point of the caller's surface: face index and barycentric weights of its three corners.
+/// A point of the input: a face and the barycentric weights of its three corners.
 struct BarycentricPoint {
 	std::int32_t face      = -1;
 	float        weight[3] = {1, 0, 0};
 };
 
-/// An owned triangle mesh in the caller's frame.
+/// A triangle mesh that owns its arrays, in the frame of the input.
 struct TriangleMesh {
 	std::vector<Vec3d>        positions;
-	std::vector<std::int32_t> triangles; ///< 3 indices a face
+	std::vector<std::int32_t> triangles; ///< three indices a face
 
 	std::size_t vertexNum() const { return positions.size(); }
 	std::size_t faceNum() const { return triangles.size() / 3; }

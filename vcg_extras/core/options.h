@@ -12,20 +12,19 @@
 
 namespace gpr {
 
-/// How the wanted size of the result is given.
+/// The measure by which the user gives the size of the result.
 enum class TargetMode {
-	VertexNum,  ///< exactly targetVertexNum vertices; a count below what the topology needs is
-				///< refused
-	FaceNum,    ///< exactly targetFaceNum faces; refused where the topology does not allow it
-	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
-	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
-	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
-	Sizes,      ///< as many as sizes in mesh units take: MeshView::wantedEdge, or maxEdge
-	Detail,     ///< the count for which the error is forecast to be that of targetDetail
+	VertexNum,  ///< exactly targetVertexNum vertices; refused if the topology needs more
+	FaceNum,    ///< exactly targetFaceNum faces; refused if the topology does not allow the count
+	Percent,    ///< targetPercent of the input's vertices; more if the topology needs more
+	EdgeLength, ///< mean edge length targetEdgeLen; more vertices if the topology needs more
+	MaxError,   ///< the least count found with a proven distance of at most targetMaxError
+	Sizes,      ///< the count that sizes in mesh units need: MeshView::wantedEdge, or maxEdge
+	Detail,     ///< the count with a forecast error of detailError(targetDetail)
 };
 
-/// How much of a shape is kept, in words: with which count 99.9 % of the surface is forecast to be
-/// nearer than this share of the diagonal.
+/// How much of a shape the result keeps, in words. The program forecasts the count with which
+/// 99.9 % of the surface is nearer than this share of the diagonal.
 enum class Detail {
 	None,
 	Coarse, ///< about 1 %
@@ -33,66 +32,66 @@ enum class Detail {
 	Fine,   ///< about 0.1 %
 };
 
-/// Which methods the stages use.
+/// A choice of methods for all stages.
 enum class Preset {
-	Default, ///< the project's own way: the most regular triangles, fitted to the input
-	Fast,    ///< the same, without the fit and the passes that cost most
-	Paper,   ///< the paper as it is written, stage by stage: docs/paper.md
-	/// Fast, with two rounds of the fit: for a mesh that is remeshed again. In no host's list.
+	Default, ///< this project's methods: the most regular triangles, fitted to the input
+	Fast,    ///< as Default, without the fit and the passes that cost most
+	Paper,   ///< the methods of the paper, stage by stage: docs/paper.md
+	/// Fast, with two rounds of the fit, for a result that another run remeshes. No host offers
+	/// this preset.
 	FastFitted,
 };
 
-/// Where the features are that §3.1.1 of the paper preserves.
+/// The region of features that §3.1.1 of the paper preserves.
 enum class FeatureRegion {
 	None,
 	Detected,  ///< by second-order difference, see feature_detection.h
 	Selection, ///< MeshView::selected
-	/// Where a disk scale is given: MeshView::selected, or what is detected where none is
-	/// selected. Else None.
+	/// With a disk scale: Selection, or Detected if no vertex is selected. Without: None.
 	Auto,
 };
 
-/// What becomes of the surface's border.
+/// The treatment of the border.
 enum class BoundaryMode {
-	Resample, ///< its curve and its corners stay, other vertices are placed on it anew
-	Keep,     ///< its vertices stay where they are, and no others are put between them
-	Free,     ///< evenly spaced vertices on it, past its corners
-	Smooth,   ///< a smooth curve near it, past teeth and bays smaller than an edge
-	Match,    ///< as Resample, by the border and the edge length alone: see matched_border.h
+	Resample, ///< curve and corners stay; the other vertices are placed anew on the curve
+	Keep,     ///< all border vertices stay, and no vertex is added between two neighbours
+	Free,     ///< evenly spaced vertices on the curve; corners do not stay
+	Smooth,   ///< a smooth curve near the border; teeth and bays smaller than an edge go
+	Match,    ///< as Resample, but a function of border and edge length only: see matched_border.h
 };
 
-/// Whether the result is its own mirror image: see run/symmetry.h.
+/// The plane of symmetry of the result: see run/symmetry.h.
 enum class Symmetry {
 	Off,
-	X,   ///< across the plane through the middle of the box, perpendicular to the x-axis
-	Y,   ///< to the y-axis
-	Z,   ///< to the z-axis
-	Auto ///< across that of these planes, or of those of the principal axes, that suits best
+	X,   ///< through the middle of the bounding box, perpendicular to the x-axis
+	Y,   ///< likewise, to the y-axis
+	Z,   ///< likewise, to the z-axis
+	Auto ///< the plane that suits best, of X, Y, Z and the planes of the principal axes
 };
 
-/// What becomes of junctions: edges with more than two faces, and places where sheets touch.
+/// The treatment of junctions: edges with more than two faces, and vertices of several sheets.
 enum class JunctionMode {
-	Cut,  ///< but for the smoothest pair of faces: the result is manifold
-	Keep, ///< each is sampled once for all its sheets, which are joined again: see junctions.h
+	Cut,  ///< only the smoothest pair of faces stays linked: the result is manifold
+	Keep, ///< all sheets of a junction get the same samples and are joined again: see junctions.h
 };
 
-/// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.
+/// The rule by which edges of the input become feature lines. Preset::Paper has no feature lines.
 enum class FeatureMode {
-	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
-	Lines, ///< wherever the surface turns by featureAngleDeg
+	Auto,  ///< crease edges, unless they look like the noise of a scan; see crease_lines.h
+	Lines, ///< all edges at which the surface bends by featureAngleDeg
 	Off,
-	Given, ///< where the caller says so (MeshView::line), and nowhere else
+	Given, ///< the edges in MeshView::line only
 };
 
 /// Thresholds of the second-order difference.
 struct FeatureThresholds {
 	double support   = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
-	double strongDeg = 40; ///< a feature begins where the normals differ by this, (0, 180]
-	double weakDeg   = 20; ///< and goes on down to this, (0, strongDeg]
-	double minLength = 3;  ///< shorter chains are dropped; in supports, >= 0
+	double strongDeg = 40; ///< difference of normals at which a feature begins, (0, 180]
+	double weakDeg   = 20; ///< difference down to which a feature goes on, (0, strongDeg]
+	double minLength = 3;  ///< length below which a chain is dropped, in supports, >= 0
 };
 
-/// Everything a caller can choose. Plain data; nothing here is working state.
+/// All options of a run. Plain data without working state.
 struct RemeshOptions {
 	TargetMode    targetMode        = TargetMode::Percent;
 	std::int64_t  targetVertexNum   = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
@@ -103,48 +102,49 @@ struct RemeshOptions {
 	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
 	Detail        targetDetail      = Detail::None; ///< used with TargetMode::Detail
 	bool          allowNearest = false; ///< take the nearest reachable count instead of refusing
-	std::uint32_t seed         = 1;     ///< 0 = a fresh seed, told in the report
-	int           threads      = 0;     ///< 0 = one per core; never changes the result
-	/// Components with fewer faces are left out; 0 = none.
+	std::uint32_t seed         = 1;     ///< 0 = a fresh seed, which the report names
+	int           threads      = 0;     ///< 0 = a thread per core; never changes the result
+	/// Components with fewer faces are dropped; 0 = no component.
 	std::int64_t dropComponentsBelow = 0;
-	bool         sew = true; ///< borders that lie at one place edge by edge are joined: sew_seams.h
-	double       timeLimitSeconds = 0; ///< the run ends then without a result; 0 = none
-	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
-	/// Self-intersections are looked for and taken out: guard/contact_removal.h. Never with
-	/// Preset::Paper. Off for tests and measurements of what comes before: no host offers it.
+	bool         sew                 = true; ///< joins border edges at the same place: sew_seams.h
+	double timeLimitSeconds = 0; ///< time after which a run ends without a result; 0 = no limit
+	bool   check = false; ///< searches self-intersections, measures distances: thorough_check.h
+	/// Finds and removes self-intersections: guard/contact_removal.h. Without effect with
+	/// Preset::Paper. Off only in tests and measurements of earlier stages; no host offers this.
 	bool guard = true;
-	/// The fit of the presets that have one. Off for the same uses as `guard`.
+	/// The fit of the presets with a fit. Off for the same uses as `guard`.
 	bool fit          = true;
-	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
-	/// Export RemeshResult::surfacePoints; without them a big surface takes 4 B a face less.
+	bool selectedOnly = false; ///< remeshes the selected faces, keeps all others
+	/// Exports RemeshResult::surfacePoints. Off, a big surface takes 4 B a face less.
 	bool surfacePointsOfVertices = true;
-	bool surfacePointsOfFaces    = false; ///< export RemeshResult::facePoints
+	bool surfacePointsOfFaces    = false; ///< exports RemeshResult::facePoints
 
 	Preset preset        = Preset::Default;
-	int    umbrellaSteps = 3;    ///< of Preset::Paper only: smoothing steps, 0 to 1000
-	int    flipPasses    = 1000; ///< of Preset::Paper only: edge flips, each time; 0 to 1000
+	int    umbrellaSteps = 3;    ///< Preset::Paper only: smoothing steps, 0 to 1000
+	int    flipPasses    = 1000; ///< Preset::Paper only: passes of edge flips each time, 0 to 1000
 
-	double lambda = 0; ///< weight of the density, >= 0; without unit but with Preset::Paper
-	std::optional<double> adapt; ///< sizes by the error, [0, 1]; 0 = evenly; see resolveAdapt
+	double lambda = 0; ///< weight of the density, >= 0; has a unit only with Preset::Paper
+	std::optional<double> adapt; ///< adaptivity, [0, 1]; 0 = even sizes; see resolveAdapt
 
-	double minEdge = 0;    ///< no edge is wanted shorter than this, mesh units; 0 = any
-	double maxEdge = 0;    ///< nor longer than this; 0 = any
-	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
+	double minEdge = 0;    ///< least local size, mesh units; 0 = no bound
+	double maxEdge = 0;    ///< largest local size, mesh units; 0 = no bound
+	double growth  = 1.15; ///< largest ratio of the local sizes at neighbouring edges, [1.05, 2]
 
 	BoundaryMode boundary = BoundaryMode::Resample;
-	/// Lengths of a periodic cell, mesh units, 0 along an axis without a period: the border's
-	/// vertices at opposite ends of the cell match; BoundaryMode::Match is in force then.
+	/// Lengths of a periodic cell, mesh units, 0 along an axis without a period. Border vertices at
+	/// opposite ends of the cell match, as BoundaryMode::Match is then in force.
 	Vec3d period;
 
 	Symmetry     symmetry  = Symmetry::Off;
-	JunctionMode junctions = JunctionMode::Cut; ///< never kept with Preset::Paper
+	JunctionMode junctions = JunctionMode::Cut; ///< always Cut with Preset::Paper
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
 
 	FeatureRegion featureRegion = FeatureRegion::Auto;
-	/// Disk radius in the region over r, [0.05, 1]. 0 where a region is named: 0.5, or with
-	/// Preset::Paper no disks: every vertex of the region is kept. 0 else: no region.
+	/// Disk radius in the feature region over r, [0.05, 1]. 0 with a named region: 0.5, or with
+	/// Preset::Paper no disks but all vertices of the region. 0 with FeatureRegion::Auto:
+	/// no region.
 	double            featureDiskScale = 0;
 	FeatureThresholds featureThresholds;
 };
@@ -164,44 +164,42 @@ inline bool keepsJunctions(const RemeshOptions& options)
 	return options.junctions == JunctionMode::Keep && !isPaper(options);
 }
 
-/// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).
+/// Whether vertices leave the surface so that the triangles lie closer to the surface (fit.h).
 inline bool isFitted(const RemeshOptions& options)
 {
 	return options.fit &&
 		   (options.preset == Preset::Default || options.preset == Preset::FastFitted);
 }
 
-/// Whether a feature region is asked for, by its name or by its disk scale.
+/// Whether the options ask for a feature region, by its name or by its disk scale.
 bool asksForFeatureRegion(const RemeshOptions& options);
 
-/// Of options in force (resolveFeatureRegion): whether every vertex of the feature region becomes a
-/// vertex of the result (paper §3.1.1). Otherwise it is sampled first, with smaller disks.
+/// Whether every vertex of the feature region becomes a vertex of the result (paper §3.1.1).
+/// Otherwise the region is sampled first, with smaller disks. Needs resolveFeatureRegion before.
 inline bool keepsRegionVertices(const RemeshOptions& options)
 {
 	return isPaper(options) && options.featureDiskScale == 0;
 }
 
-/// Whether the region is made of the selected vertices, or may be: it is named so, or not named.
+/// Whether the selected vertices are, or may become, the feature region: Selection or Auto.
 bool mayUseSelectedVertices(const RemeshOptions& options);
 
-/// Puts the region that FeatureRegion::Auto stands for, and the disk scale that 0 stands for, in
-/// their places.
+/// Replaces FeatureRegion::Auto and a disk scale of 0 by the region and the scale in force.
 void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
 
-/// The adaptivity in force. Preset::Paper has none. One that is not given is 0 where the caller
-/// asked for another density (lambda), and where no fit makes the result closer: in the presets
-/// without it, and where only samples are wanted (`makesMesh` is false). Else it is 0.1; with
-/// TargetMode::MaxError 1: a distance is kept with fewest vertices where they are spent on it.
+/// The adaptivity in force: 0 with Preset::Paper, else `adapt` if given. Otherwise 0 if sizes come
+/// from lambda or TargetMode::Sizes, and 0 without a fit (other presets, or `makesMesh` is false),
+/// as adaptive sizes bring the result closer only together with the fit. Otherwise 0.1, but 1 with
+/// TargetMode::MaxError: adaptive sizes keep a distance with the fewest vertices.
 double resolveAdapt(const RemeshOptions& options, bool makesMesh);
 
-/// The error that targetDetail stands for, over the diagonal.
+/// The error of a Detail, as a share of the diagonal.
 double detailError(Detail detail);
 
-/// Complaints about values out of range, one sentence each; empty when all is well.
+/// A sentence for each value out of range and each conflict; empty if the options are valid.
 std::vector<std::string> validate(const RemeshOptions& options);
 
-/// Which of the options that differ from their defaults have no effect beside the others, one
-/// sentence each.
+/// A sentence for each changed option without effect under the other options.
 std::vector<std::string> optionsWithoutEffect(const RemeshOptions& options);
 
 } // namespace gpr

@@ -45,7 +45,7 @@ ParameterValue count(const MeshFacts&)
 	return std::int64_t(value);
 }
 
-/// Rows are written as a chain of what they have: `row(...).range(...).choices(...)`.
+/// A builder of rows, as a chain: `row(...).range(...).choices(...)`.
 struct Row {
 	Parameter p;
 
@@ -55,7 +55,7 @@ struct Row {
 		p.maximum = most;
 		return *this;
 	}
-	/// Names as on the command line; the first one is the default.
+	/// Names as on the command line; the first name is the default.
 	Row& choices(std::vector<const char*> names)
 	{
 		p.maximum      = double(names.size()) - 1;
@@ -127,7 +127,7 @@ using Table = std::vector<Parameter>;
 using Kind  = ParameterKind;
 using Value = ParameterValue;
 
-// ---- how many vertices
+// ---- the number of vertices
 
 void addSize(Table& t)
 {
@@ -185,7 +185,7 @@ void addSize(Table& t)
 			.p);
 }
 
-// ---- which way, and with which density
+// ---- methods and density
 
 void addPreset(Table& t)
 {
@@ -231,7 +231,7 @@ void addDensity(Table& t)
 			.p);
 }
 
-// ---- what is kept
+// ---- treatment of features and border
 
 void addFeatureLines(Table& t)
 {
@@ -512,7 +512,7 @@ void addRun(Table& t)
 					.p);
 }
 
-// ---- for experts: what the paper leaves to the user
+// ---- for experts: parameters of the paper
 
 void addPaperSteps(Table& t)
 {

@@ -12,7 +12,7 @@
 
 namespace gpr {
 
-/// What a parameter's value is, and so which widget and which .mlx type stand for it.
+/// The type of a parameter's value, which decides the widget and the .mlx type.
 enum class ParameterKind {
 	Count,  ///< whole number (RichInt)
 	Number, ///< real number (RichFloat)
@@ -21,66 +21,66 @@ enum class ParameterKind {
 	Choice, ///< one of `choices` (RichEnum); the value is its index
 };
 
-/// A number that is not given: the engine chooses it.
+/// The value of a number that the engine chooses.
 struct Automatic {
 	bool operator==(Automatic) const { return true; }
 	bool operator!=(Automatic) const { return false; }
 };
 
-/// Its name where values are text.
+/// The name of Automatic in texts.
 constexpr const char* automaticName = "auto";
 
-/// Of a Choice std::int64_t.
+/// A value; std::int64_t for a Choice.
 using ParameterValue = std::variant<std::int64_t, double, bool, Automatic>;
 
-/// What defaults may depend on.
+/// The facts of the input from which defaults are computed.
 struct MeshFacts {
 	std::int64_t vertexNum           = 0;
 	double       diagonal            = 0; ///< mesh units
 	bool         hasSelectedVertices = false;
 };
 
-/// What parameters are for: the functions of remesh.h.
+/// The functions of remesh.h, as bits: each parameter belongs to some of these.
 enum Tool : unsigned {
-	RemeshTool        = 1, ///< remesh: the whole way
+	RemeshTool        = 1, ///< remesh: all steps
 	SamplingTool      = 2, ///< samplePoissonDisks: the samples only
 	RetriangulateTool = 4, ///< retriangulate: a mesh from given samples
 	FeatureTool       = 8, ///< detectFeatures
 };
 
-/// One row of the table from which the hosts make their dialogs, scripts, command lines and
-/// references. Keys and option names are public: they change with a changelog line only.
+/// A row of the table from which the hosts make dialogs, scripts, command lines and references.
+/// Keys and option names are public: every change needs a changelog line.
 struct Parameter {
 	const char*              key;      ///< in the filter and .mlx: "TargetVertexNum"
-	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
+	const char*              option;   ///< on the command line: "--vertices"; "" without an option
 	const char*              argument; ///< placeholder in --help: "N"; "" for a bare switch
 	ParameterKind            kind;
 	const char*              label;       ///< in the dialog
 	const char*              help;        ///< full sentences with unit and range, for every host
-	const char*              dialogOnly;  ///< what is so in MeshLab only, or ""
-	const char*              commandOnly; ///< what is so on the command line only, or ""
-	const char*              pythonOnly;  ///< what is so in Python only, or ""
+	const char*              dialogOnly;  ///< more help for MeshLab only, or ""
+	const char*              commandOnly; ///< more help for the command line only, or ""
+	const char*              pythonOnly;  ///< more help for Python only, or ""
 	double                   minimum;
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only
 	ParameterValue (*defaultValue)(const MeshFacts&);
-	/// Puts a value into the options; null in rows of a host's own.
+	/// Writes a value to the options; null in rows that belong to a single host.
 	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned tools;       ///< the Tool bits it is offered by
-	bool     isExpert;    ///< a dialog with many parameters shows it only when asked to
-	bool     isAutomatic; ///< a Number that is Automatic where it is not given
+	unsigned tools;       ///< the Tool bits that offer the parameter
+	bool     isExpert;    ///< shown on demand only in dialogs with many parameters
+	bool     isAutomatic; ///< a Number that is Automatic by default
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.
 std::vector<Parameter> makeParameterTable();
 
-/// What MeshLab's dialogs say of a parameter.
+/// The help in MeshLab's dialogs.
 std::string dialogHelp(const Parameter& p);
 
-/// What --help says of it.
+/// The text of --help.
 std::string commandHelp(const Parameter& p);
 
-/// What Python's help says of it.
+/// The help in Python.
 std::string pythonHelp(const Parameter& p);
 
 } // namespace gpr

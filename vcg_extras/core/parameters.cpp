@@ -55,7 +55,7 @@ void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
 	given_.insert_or_assign(parameter.key, Given{&parameter, value});
 }
 
-/// The values as given; sizes that were not are 0.
+/// The given values; sizes without a value are 0.
 RemeshOptions ParameterSet::raw() const
 {
 	RemeshOptions o;

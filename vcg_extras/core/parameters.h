@@ -15,7 +15,7 @@ namespace gpr {
 /// The parameters of a tool, in the order in which its dialog shows them.
 const std::vector<Parameter>& parametersOf(Tool tool);
 
-/// The parameters of the whole remeshing.
+/// The parameters of remesh().
 inline const std::vector<Parameter>& remeshParameters()
 {
 	return parametersOf(RemeshTool);
@@ -24,20 +24,20 @@ inline const std::vector<Parameter>& remeshParameters()
 /// The row of the tool with this key, or null.
 const Parameter* findParameter(const std::string& key, Tool tool = RemeshTool);
 
-/// Whether a row is one of those that stand for one choice, the size of the result.
+/// Whether a row is an alternative of the same choice, the size of the result.
 bool isSizeParameter(const Parameter& p);
 
-/// Collects the values of the rows and makes options of them.
-/// TargetVertexNum and the rows below it stand for one choice: one above 0 takes the place of the
-/// number of vertices; two above 0 are a mistake that complaints() tells.
+/// Collects values of rows and makes options. The rows from TargetVertexNum on are alternatives for
+/// the size of the result: a single value above 0 replaces the number of vertices; for two values
+/// above 0 complaints() returns a sentence.
 class ParameterSet {
 public:
-	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.
+	/// Stores a value, rows in any order; the variant must hold the type of the row's kind.
 	void set(const Parameter& parameter, const ParameterValue& value);
 
 	/// The options, with targetMode chosen.
 	RemeshOptions options() const;
-	/// Sentences about values out of range or in conflict; empty when all is well.
+	/// A sentence for each value out of range and each conflict; empty if all values are valid.
 	std::vector<std::string> complaints() const;
 
 private:

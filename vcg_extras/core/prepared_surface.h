@@ -12,9 +12,9 @@
 
 namespace gpr {
 
-/// A surface for many runs. What all of them have in common is made once and kept: the mesh taken
-/// over, cleaned, sewn, ordered in space and connected, and the features of a detected region. So
-/// other counts, sizes, presets and seeds cost only what follows from them.
+/// A surface for many runs. The common work of all runs is done once and kept: loading, cleaning,
+/// sewing, spatial order, connectivity, and the features of a detected region. Runs with other
+/// counts, sizes, presets or seeds cost only the rest.
 ///
 ///     gpr::PreparedSurface surface(view);
 ///     for (double percent : {5, 10, 20}) {
@@ -22,32 +22,31 @@ namespace gpr {
 ///         results.push_back(surface.remesh(options));
 ///     }
 ///
-/// A result has the same bytes, and the same report but for its seconds, as that of gpr::remesh.
-/// Another value of RemeshOptions::sew, dropComponentsBelow, featureThresholds or selectedOnly is
-/// prepared for anew. The arrays of the view must stay as they are while the surface is used.
-/// Memory beside that of a run: about 80 B a face of the input, until the surface goes.
+/// Each result and its report equal the result and report of gpr::remesh, except for the seconds.
+/// Another value of RemeshOptions::sew, dropComponentsBelow, featureThresholds or selectedOnly
+/// needs a new preparation. The arrays of the view must stay unchanged as long as the surface is in
+/// use. Memory, in addition to a run: about 80 B a face of the input, until destruction.
 class PreparedSurface {
 public:
-	/// Does nothing yet but note where the arrays are.
+	/// Only stores the view.
 	explicit PreparedSurface(const MeshView& input);
 	~PreparedSurface();
 	PreparedSurface(PreparedSurface&&) noexcept;
 	PreparedSurface& operator=(PreparedSurface&&) noexcept;
 
-	/// Makes beforehand what runs with these options have in common. The first run does so by
-	/// itself. The result has a status, a message and a report, and no mesh. Cost: linear.
+	/// Does the common work of runs with these options, which otherwise the first run does. The
+	/// result has a status, a message and a report, and no mesh. Cost: linear.
 	RemeshResult prepare(const RemeshOptions& options, const ProgressCallback& progress = nullptr,
 						 const StopRequest* stop = nullptr);
 
-	/// gpr::remesh of the surface. Where another thread sets `stop` the run ends with
-	/// Status::Cancelled, within 50 ms on meshes of some million faces; what was prepared stays.
-	/// A call waits for one that another thread has under way. Never throws but for programming
-	/// errors.
+	/// As gpr::remesh. Ends with Status::Cancelled if another thread sets `stop`, within 50 ms on
+	/// meshes of some million faces; the prepared work stays. Waits until a call by another thread
+	/// has ended. Throws on programming errors only.
 	RemeshResult remesh(const RemeshOptions& options, const ProgressCallback& progress = nullptr,
 						const StopRequest* stop = nullptr);
 
-	/// The same vertices and faces with another selection or lines; the arrays may lie
-	/// elsewhere. What was prepared stays, but for that of selected faces.
+	/// Sets a view of the same vertices and faces with another selection or other lines; the arrays
+	/// may have moved. The prepared work stays, except for selected faces.
 	void            setInput(const MeshView& sameMesh);
 	const MeshView& input() const;
 

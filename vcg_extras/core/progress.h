@@ -8,12 +8,12 @@
 
 namespace gpr {
 
-/// Called from the thread that called the engine, at most about every 50 ms, with the share of the
-/// work done in [0, 1] and a short verb phrase. Returning false cancels: the engine ends with
-/// Status::Cancelled and exports nothing.
+/// A function that the engine calls from the caller's thread, at most about every 50 ms, with the
+/// share of the work done in [0, 1] and a short verb phrase. Returning false cancels the run: the
+/// engine ends with Status::Cancelled and exports nothing.
 using ProgressCallback = std::function<bool(double share, const char* phrase)>;
 
-/// Set to true by any thread, it ends a run as a callback does that returns false, and sooner.
+/// A flag that any thread may set to true to cancel a run, sooner than by a callback.
 using StopRequest = std::atomic<bool>;
 
 } // namespace gpr

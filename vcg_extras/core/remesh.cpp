@@ -24,7 +24,7 @@ namespace gpr {
 
 namespace {
 
-/// Of the exception being handled, if it is a std::exception or one of ours.
+/// The failure of the exception being handled, by its type.
 Failure failureAtHand()
 {
 	try {
@@ -57,7 +57,7 @@ void nameSmallest(const Failure&, Result&)
 {
 }
 
-/// A result without anything but the reason, the report and the notes.
+/// A result with only status, message, report and notes.
 template <class Result>
 Result failed(const Failure& failure, Result&& soFar)
 {
@@ -70,7 +70,7 @@ Result failed(const Failure& failure, Result&& soFar)
 	return result;
 }
 
-/// Calls body(arguments..., result) and turns what it throws into status and message.
+/// Calls body(arguments..., result) and turns exceptions into status and message.
 template <class Result, class Body, class... Arguments>
 Result guarded(const Body& body, const Arguments&... arguments)
 {
@@ -85,17 +85,17 @@ Result guarded(const Body& body, const Arguments&... arguments)
 	catch (...) {
 		result = failed(failureAtHand(), std::move(result));
 	}
-	returnReleasedMemory(); // the caller may need it
+	returnReleasedMemory(); // the caller may need memory
 	return result;
 }
 
-/// What a surface keeps of its selected faces.
+/// The kept work of runs on selected faces.
 struct KeptPart {
 	SelectedPart part;
 	InputCache   ofRuns;
 };
 
-/// What is done with a mesh, whole or cut out.
+/// A function that remeshes a mesh, whole or cut out.
 using MeshCall = void (*)(const Call& call, RemeshResult& out);
 
 void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, MeshCall run,
@@ -116,7 +116,7 @@ void remeshSelected(const Call& call, RemeshResult& out)
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
-/// The edge length that the wanted size of the result stands for, mesh units.
+/// The edge length of the wanted size of the result, mesh units.
 double edgeLengthOf(const Call& call)
 {
 	const RemeshOptions& o = call.options;
@@ -137,13 +137,13 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	}
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0) || !validate(call.options).empty())
-		return remeshInput(call, out); // which refuses the options
+		return remeshInput(call, out); // refuses the options
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
 	inside.period               = {};
-	if (inside.targetMode == TargetMode::Percent) // of the caller's vertices
+	if (inside.targetMode == TargetMode::Percent) // percent of the input's vertices
 		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
 	MeshView view    = matched.view();
 	view.regionNames = call.input.regionNames;
@@ -172,7 +172,7 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 
 struct PreparedSurface::Kept {
 	MeshView                input;
-	std::mutex              oneRun; ///< runs leave here what they made, one after the other
+	std::mutex              oneRun; ///< held during a run: runs change the kept work in turn
 	InputCache              ofRuns;
 	std::optional<KeptPart> selected;
 

@@ -12,37 +12,38 @@
 
 namespace gpr {
 
-/// Remeshes a surface with about-equilateral triangles of equal size: the whole way of
-/// "Fast Edge-based geodesic Poisson Disk Remeshing" with the placement by disk intersection.
-/// Needs any triangle mesh; what is not 2-manifold is repaired or cut, counted in report.cleaned.
-/// With selectedOnly the result is the faces that are not selected, in their order, then the new
-/// ones; both share the vertices of the seam between them. Counts, figures and checks are of the
-/// selected part. Refused where the seam has an edge of more than two faces.
-/// The input is never modified. The result depends on input, options and seed only, not on threads.
-/// Cost: linear in the input; docs/measurements.md has seconds.
-/// Never throws but for programming errors.
+/// Remeshes a surface with about equilateral triangles of equal size: all steps of "Fast Edge-based
+/// geodesic Poisson Disk Remeshing", with the placement by disk intersection. Accepts any triangle
+/// mesh: non-manifold parts are repaired or cut and counted in report.cleaned. The input is never
+/// modified.
+///
+/// With selectedOnly the result has the unselected faces in their order, then the new faces; both
+/// share the vertices of the seam between them. Counts, figures and checks are then of the selected
+/// part. Refused if an edge of the seam has more than two faces.
+///
+/// The result depends on input, options and seed, not on the number of threads. Cost: linear in the
+/// input; docs/measurements.md has seconds. Throws on programming errors only.
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress = nullptr);
 
-/// The sampling stage alone (paper §3, steps 1–8): points at least (1-ε) r apart, every vertex of
-/// the input within r of one. The count lands within about a tenth of the target (no correction).
+/// Samples a surface (paper §3, steps 1–8): points at least (1-ε) r apart, with a point within r of
+/// every vertex of the input. The count is within about a tenth of the target, without correction.
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
 								  const ProgressCallback& progress = nullptr);
 
-/// Retriangulation from given samples (paper §3, last paragraph): a mesh with the input's topology
-/// whose vertices are the samples, each exactly where it was given. Samples off the surface are put
-/// on it first (nearest point); report.samplesMoved and report.largestSampleMove tell how many and
-/// how far. Where the topology needs more vertices than there are samples, vertices of the input
-/// stay: report.leftoverVertexNum. Of the options, the target, the exact count, the smoothing and
-/// the fit do not count.
+/// Makes a mesh with the topology of the input from given samples (paper §3, last paragraph). The
+/// vertices are the samples, at their given places; a sample off the surface moves to the nearest
+/// point first (report.samplesMoved, report.largestSampleMove). If the topology needs more vertices
+/// than samples, vertices of the input stay: report.leftoverVertexNum. Target, exact count,
+/// smoothing and fit of the options have no effect.
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
 						   const RemeshOptions&    options,
 						   const ProgressCallback& progress = nullptr);
 
 /// Finds creases and cone apexes by a uniformly supported second-order difference (paper §3.1; see
-/// feature_detection.h and docs/features.md). Of the options, featureThresholds and threads count.
-/// A mesh that is not 2-manifold is repaired or cut for this; edges cut are no features.
-/// The input is never modified. Cost: linear; about 2 s per million faces and core.
+/// feature_detection.h and docs/features.md). Reads featureThresholds and threads of the options.
+/// Works on a copy in which non-manifold parts are repaired or cut; a cut edge is no feature.
+/// Cost: linear; about 2 s per million faces and core.
 FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options,
 							 const ProgressCallback& progress = nullptr);
 

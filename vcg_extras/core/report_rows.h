@@ -7,12 +7,11 @@
 
 #include <vector>
 
-// The counts of a report with their names, so that log, summary and JSON speak of one event in the
-// same words.
+// The counts of a report with their names, so that log, summary and JSON name an event alike.
 
 namespace gpr {
 
-/// One count. `one` and `many` follow it in a sentence and are empty where only JSON has the count.
+/// A count. `one` and `many` follow the count in a sentence and are empty for rows of JSON only.
 struct CountRow {
 	const char*  key; ///< in JSON
 	std::int64_t count;
@@ -24,7 +23,7 @@ struct CountRow {
 	const char* words() const { return count == 1 ? one : many; }
 };
 
-/// What cleaning did, in the order of the report's keys.
+/// The counts of cleaning, in the order of the report's keys.
 std::vector<CountRow> describe(const CleanCounts& cleaned);
 
 } // namespace gpr

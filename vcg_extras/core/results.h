@@ -12,38 +12,38 @@
 
 namespace gpr {
 
-/// How a run ended. Everything but Ok exports no mesh; message says why in one sentence.
+/// The end of a run. Only Ok comes with a result; otherwise `message` tells why in a sentence.
 enum class Status {
 	Ok,
 	BadOptions,    ///< an option out of range
 	UnusableInput, ///< no usable face, indices out of range, no area, ...
-	CountTooSmall, ///< fewer vertices asked than the topology needs; smallestVertexNum is set
-	PromiseBroken, ///< the audit of the result failed; report.audit says how
-	OutOfMemory,   ///< or more than there is would be needed
+	CountTooSmall, ///< the topology needs more vertices: smallestVertexNum
+	PromiseBroken, ///< the result failed the audit: report.audit
+	OutOfMemory,   ///< an allocation failed, or the forecast need is above the memory
 	Cancelled,
-	OutOfTime, ///< RemeshOptions::timeLimitSeconds have passed
+	OutOfTime, ///< after RemeshOptions::timeLimitSeconds
 	InternalError,
 };
 
-/// A remeshed surface, or the reason why there is none.
+/// A result mesh, or the reason of a refusal.
 struct RemeshResult {
 	Status                   status = Status::InternalError;
-	std::string              message; ///< empty when Ok; a sentence for the user otherwise
-	std::vector<std::string> notes;   ///< sentences worth showing even when all went well
-	TriangleMesh             mesh;    ///< in the caller's frame
-	/// Unless options do without, per result vertex: where on the caller's mesh it lies.
+	std::string              message; ///< empty if Ok; otherwise a sentence for the user
+	std::vector<std::string> notes;   ///< sentences for the user, with every status
+	TriangleMesh             mesh;    ///< in the frame of the input
+	/// Per result vertex: its point on the input. Empty without surfacePointsOfVertices.
 	std::vector<BarycentricPoint> surfacePoints;
-	/// Where options ask for it, per result face: where on the caller's mesh its middle lies.
+	/// Per result face: the point on the input of its middle. Empty without surfacePointsOfFaces.
 	std::vector<BarycentricPoint> facePoints;
-	/// Where the caller's mesh has regions, per result face: the label of the region it belongs to,
-	/// which is that of the caller's face with its point in facePoints.
+	/// Per result face, if the input has regions: the label of the input face at its facePoints.
 	std::vector<std::int32_t> region;
-	/// Per result vertex, where some had to stay: which of the caller's it is, bit for bit, or -1.
+	/// Per result vertex, if some input vertices had to stay: the input vertex of the same
+	/// coordinates, bit for bit, or -1.
 	std::vector<std::int32_t> callersVertex;
-	/// Per result face, with selectedOnly: which of the caller's it is, or -1 for the new ones.
+	/// Per result face, with selectedOnly: the same face of the input, or -1 for a new face.
 	std::vector<std::int32_t> callersFace;
-	std::vector<std::int32_t> sampleOf; ///< retriangulate: which sample each vertex is, or -1
-	std::int64_t smallestVertexNum = 0; ///< set with CountTooSmall: what to ask for instead
+	std::vector<std::int32_t> sampleOf; ///< retriangulate: the sample of each vertex, or -1
+	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the least possible count
 	RemeshReport report;
 };
 
@@ -52,46 +52,46 @@ struct SamplingResult {
 	Status                        status = Status::InternalError;
 	std::string                   message;
 	std::vector<std::string>      notes;
-	std::vector<Vec3d>            points;        ///< in the caller's frame
-	std::vector<BarycentricPoint> surfacePoints; ///< per point: where on the caller's mesh it lies
-	std::vector<double>           radii;         ///< per point: of its disk, mesh units
-	double diskRadius = 0; ///< of the largest disks, mesh units: r of eq. (1) where all are
-						   ///< the same; the smallest spacing is (1-ε) times the mean of two
+	std::vector<Vec3d>            points;        ///< in the frame of the input
+	std::vector<BarycentricPoint> surfacePoints; ///< per point: its face of the input and weights
+	std::vector<double>           radii;         ///< per point: radius of its disk, mesh units
+	double diskRadius = 0; ///< radius of the largest disks, mesh units: r of eq. (1) if all are
+	///< equal; two points are (1-ε) times their mean radius apart, or more
 	RemeshReport report;
 };
 
-/// An edge of the caller's mesh that is a feature.
+/// An edge of the input on a feature line.
 struct FeatureEdge {
-	std::int32_t vertex[2] = {-1, -1}; ///< the caller's
+	std::int32_t vertex[2] = {-1, -1}; ///< of the input
 	float        strength  = 0;        ///< degrees
 };
 
-/// What was found by detectFeatures, in numbers.
+/// Counts and lengths of the features that detectFeatures found.
 struct FeatureFigures {
-	std::int64_t vertexNum   = 0; ///< the caller's vertices that are marked
-	std::int64_t faceNum     = 0; ///< the caller's faces that are marked
+	std::int64_t vertexNum   = 0; ///< marked vertices of the input
+	std::int64_t faceNum     = 0; ///< marked faces of the input
 	std::int64_t edgeNum     = 0;
-	std::int64_t lineNum     = 0; ///< connected sets of feature edges
-	std::int64_t cornerNum   = 0; ///< vertices where a line ends, branches or turns
-	std::int64_t coneApexNum = 0; ///< cone apexes, on no line
+	std::int64_t lineNum     = 0; ///< connected sets of edges
+	std::int64_t cornerNum   = 0; ///< vertices at which a line ends, branches or turns
+	std::int64_t coneApexNum = 0; ///< cone apexes off the lines
 	double       support     = 0; ///< radius of the half-disks, mesh units
-	double       minLength   = 0; ///< shorter lines were dropped, mesh units
+	double       minLength   = 0; ///< length below which lines were dropped, mesh units
 };
 
-/// Features of the caller's mesh.
+/// Features of the input, in the order of its vertices and faces.
 struct FeatureResult {
 	Status                    status = Status::InternalError;
 	std::string               message;
 	std::vector<std::string>  notes;
-	std::vector<float>        vertexStrength; ///< per vertex of the caller's, degrees in [0, 180]
+	std::vector<float>        vertexStrength; ///< per vertex, degrees in [0, 180]
 	std::vector<std::uint8_t> vertexFeature;  ///< per vertex: VertexFeature bits, 0 = no feature
-	std::vector<std::uint8_t> faceMark;       ///< per face: 1 where one of its vertices is marked
+	std::vector<std::uint8_t> faceMark;       ///< per face: 1 if a vertex of the face is marked
 	std::vector<FeatureEdge>  edges;
 	FeatureFigures            figures;
 	RemeshReport              report; ///< input, cleaned, stages, threads and seconds only
 };
 
-/// One word for a status, for logs and reports: "ok", "cancelled", ...
+/// The name of a status for logs and reports: "ok", "cancelled", ...
 const char* statusName(Status status);
 
 } // namespace gpr

@@ -15,22 +15,22 @@ namespace gpr {
 
 namespace {
 
-/// Microseconds on one thread, a face of the input and a vertex of the result; fitted to runs with
-/// 10⁵ to 8·10⁶ faces at 1 to 200 %.
+/// Microseconds on one thread per face of the input and per vertex of the result; fitted to runs
+/// with 10⁵ to 8·10⁶ faces at 1 to 200 %.
 struct Rate {
 	double perFace;
 	double perVertex;
 };
 constexpr Rate samplingRate  = {0.6, 6};
-constexpr Rate plainRate     = {0.6, 10}; // nothing is fitted
+constexpr Rate plainRate     = {0.6, 10}; // without the fit
 constexpr Rate fittedRate    = {0.9, 25};
-constexpr Rate removalRate   = {1.2, 20}; // vertices are removed one by one
+constexpr Rate removalRate   = {1.2, 20}; // vertex by vertex
 constexpr Rate detectionRate = {2, 0};
-/// Runs that a search for the count of an error takes, in the mean.
+/// Runs in a search for the count of an error bound, on average.
 constexpr double trialsForError = 5;
-/// Faces after splitting long edges, at least, for a vertex of the result.
+/// Least number of faces per vertex of the result after long edges are split.
 constexpr double facesPerResultVertex = 6;
-/// What a second thread and each further one leave of the time, as a power.
+/// Exponent of the number of threads in the speed-up.
 constexpr double threadPower = 0.9;
 
 Rate rateOf(Tool tool, const RemeshOptions& o)
@@ -58,7 +58,7 @@ double vertexNumOf(const MeshView& input, const RemeshOptions& o)
 	const MeshExtent extent = extentOf(input);
 	const double     unit   = isByError && o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
 	const double     n      = wantedVertexNum(std::int64_t(input.vertexNum), o, extent.area, unit);
-	return std::isfinite(n) ? n : 0; // of a mesh or a length that is nothing
+	return std::isfinite(n) ? n : 0; // mesh or length of size 0
 }
 
 int threadNumOf(const RemeshOptions& o)

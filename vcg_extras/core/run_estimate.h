@@ -11,17 +11,17 @@
 
 namespace gpr {
 
-/// What a run will take, about.
+/// The expected size, time and memory of a run.
 struct RunEstimate {
-	double vertexNum = 0; ///< of the result, or samples
-	double seconds   = 0; ///< wall time on a machine of the year 2022 that does nothing else
-	double bytes     = 0; ///< of memory at most, without the caller's mesh
+	double vertexNum = 0; ///< vertices of the result, or samples
+	double seconds   = 0; ///< wall time on an idle machine of the year 2022
+	double bytes     = 0; ///< peak memory without the input
 };
 
-/// Foresees time and memory of a tool's run from the sizes of mesh and result, within a factor of
-/// two or three for most meshes; those with many non-manifold edges, or with results so coarse that
-/// parts of them touch, take longer. Never throws; what is refused later is estimated all the same.
-/// Cost: none to speak of; linear where an edge length or an error is asked for.
+/// Estimates time and memory of a run from the sizes of input and result, within a factor of two or
+/// three for most meshes. Many non-manifold edges, or results so coarse that parts touch, take
+/// longer. Never throws; estimates also runs that will be refused. Cost: constant; linear with a
+/// target edge length or error.
 RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options,
 						Tool tool = RemeshTool) noexcept;
 

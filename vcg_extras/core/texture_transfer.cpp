@@ -18,12 +18,12 @@ namespace gpr {
 
 namespace {
 
-/// Coordinates that differ by less than this are the same: files round them.
+/// Largest difference of equal coordinates, as files round coordinates.
 constexpr float sameCoordinate = 2e-6f;
-/// How far beyond the corners of a face of the result its side of a seam is looked at, in the
-/// distance from its middle to its corners.
+/// Radius of the search for the side of a seam, in distances from the middle of a face of the
+/// result to its corners.
 constexpr double reach = 1.5;
-/// Faces looked at for one face of the result at most.
+/// Most faces visited for a face of the result.
 constexpr std::size_t maxFacesLookedAt = 100000;
 
 Box<double> boxOf(const MeshView& mesh)
@@ -36,8 +36,8 @@ Box<double> boxOf(const MeshView& mesh)
 	return box;
 }
 
-/// Numbers the places: vertices at the same place, as the engine sews and welds them, get the same
-/// number.
+/// Numbers the places of vertices. Vertices at the same place, by the rule by which the engine sews
+/// and welds, get the same number.
 std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 {
 	std::vector<std::int32_t> place(mesh.vertexNum);
@@ -53,7 +53,7 @@ std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 	return place;
 }
 
-/// The weights of the point of a triangle that lies nearest to p.
+/// The weights of the nearest point of a triangle to p.
 BarycentricPoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner,
 							  double& squaredMiss)
 {
@@ -114,12 +114,12 @@ void TextureSource::connect()
 	}
 	std::sort(sides.begin(), sides.end());
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-		// Where more than two faces meet the engine cuts: a border, and no way across.
+		// The engine cuts an edge with more than two faces: a border without a way across.
 		if (end - begin == 2) link(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 	});
 }
 
-/// Two corners whose edges to the next corner are the two sides of one.
+/// Links two corners, the edges of which (to the next corner) are the two sides of an edge.
 void TextureSource::link(std::int64_t a, std::int64_t b)
 {
 	if (agree(a, b)) {
@@ -131,7 +131,7 @@ void TextureSource::link(std::int64_t a, std::int64_t b)
 	++seamNum_;
 }
 
-/// Whether the texture goes on from one side to the other.
+/// Whether the texture is continuous across the edge with sides a and b.
 bool TextureSource::agree(std::int64_t a, std::int64_t b) const
 {
 	const auto next = [](std::int64_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
@@ -151,7 +151,7 @@ bool TextureSource::agree(std::int64_t a, std::int64_t b) const
 	return isSameThere(a, opposite ? next(b) : b) && isSameThere(next(a), opposite ? b : next(b));
 }
 
-/// Carries the texture to one face of a result after the other.
+/// Carries the texture to the faces of a result, face by face.
 class CornerCarrier {
 public:
 	CornerCarrier(const TextureSource& source, const RemeshResult& result) :
@@ -176,8 +176,8 @@ public:
 private:
 	const TextureSource&      source_;
 	const RemeshResult&       result_;
-	std::vector<std::int32_t> lookedAtFor_; ///< per face of the source: the last face of the result
-	std::vector<std::int32_t> found_;       ///< the source's faces on this side, nearest first
+	std::vector<std::int32_t> lookedAtFor_; ///< per input face: the last result face that came
+	std::vector<std::int32_t> found_;       ///< the faces of the input on this side, nearest first
 
 	bool isLookedAt(std::int32_t face, std::size_t f) const
 	{
@@ -198,8 +198,8 @@ private:
 		return float(meanOfCorners(at, [&](int k) { return uv[2 * std::size_t(k) + i]; }));
 	}
 
-	/// Finds the source's faces that can be reached from the middle of a face of the result within
-	/// its reach and without crossing a seam; ends early where those of all corners are among them.
+	/// Finds the faces of the input that are linked to the middle of a face of the result within
+	/// the reach and without a seam between; ends early if the faces of all corners are found.
 	void lookRound(std::int32_t f, const std::int32_t* corner)
 	{
 		const Vec3d a       = result_.mesh.positions[std::size_t(corner[0])],

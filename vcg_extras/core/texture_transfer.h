@@ -11,28 +11,28 @@
 
 namespace gpr {
 
-/// Texture coordinates of the corners of faces, where the two sides of an edge may differ.
+/// Texture coordinates of the corners of faces; the two sides of an edge may differ.
 struct CornerTexture {
 	std::vector<float>        uv;    ///< six a face: u and v of each corner
-	std::vector<std::int32_t> image; ///< one a face: the number of its image; empty: one for all
+	std::vector<std::int32_t> image; ///< one a face: the number of its image; empty: a single image
 };
 
-/// The caller's texture, with its seams: edges whose two sides have different coordinates or
-/// images.
+/// The texture of the input with its seams: edges with different coordinates or images on both
+/// sides.
 class TextureSource {
 public:
-	/// The mesh must outlive this. Vertices at the same place are taken for one, as in a triangle
-	/// soup and along seams that are sewn. Cost: O(F log F).
+	/// Needs the mesh during its own lifetime. Vertices at the same place count as a single vertex,
+	/// as in a triangle soup and along sewn seams. Cost: O(F log F).
 	TextureSource(const MeshView& mesh, CornerTexture texture);
 
-	/// Three a face, 1 where the edge from that corner to the next is a seam: MeshView::line.
+	/// Three a face, 1 if the edge from this corner to the next is a seam: MeshView::line.
 	const std::vector<std::uint8_t>& seams() const { return seam_; }
 	bool                             hasSeams() const { return seamNum_ > 0; }
 
-	/// The texture at the corners of a result's faces. Every face gets the coordinates of the side
-	/// of the seams that its middle lies on, so that no face of the result spans one; a corner
-	/// beyond a seam gets those of the nearest point on this side. Needs result.facePoints. Cost:
-	/// about five times the faces of the caller's mesh looked at.
+	/// Computes the texture at the corners of a result's faces. A face gets the coordinates of that
+	/// side of the seams on which its middle lies, so that no face spans a seam; a corner beyond a
+	/// seam gets the coordinates of the nearest point on this side. Needs result.facePoints. Cost:
+	/// visits about five times the faces of the input.
 	CornerTexture carriedTo(const RemeshResult& result) const;
 
 private:
@@ -40,9 +40,8 @@ private:
 	const MeshView            mesh_;
 	CornerTexture             texture_;
 	std::vector<std::uint8_t> seam_;
-	std::vector<std::int32_t> beyond_; ///< three a face: the face across an edge, or -1: none, or
-									   ///< a seam lies between
-	std::vector<std::int32_t> place_;  ///< per vertex, while faces are linked: see same_place.h
+	std::vector<std::int32_t> beyond_; ///< three a face: the face across; -1: seam or border
+	std::vector<std::int32_t> place_;  ///< per vertex, during connect(): see same_place.h
 	std::int64_t              seamNum_ = 0;
 
 	std::int32_t placeOf(std::int64_t corner) const

@@ -9,9 +9,9 @@
 namespace gpr {
 
 inline constexpr double pi      = 3.14159265358979323846;
-inline constexpr float  radians = float(pi) / 180; ///< in a degree
+inline constexpr float  radians = float(pi) / 180; ///< radians of a degree
 
-/// Plain 3-vector; S is float for stored coordinates, double where a decision needs it.
+/// A 3-vector; S is float for stored coordinates, double for decisions that need double.
 template <class S>
 struct Vec3 {
 	S x = 0, y = 0, z = 0;
@@ -32,7 +32,7 @@ struct Vec3 {
 	}
 };
 
-/// x, y or z, by its number from 0 on.
+/// x, y or z, by number from 0.
 template <class S>
 inline S coordinate(const Vec3<S>& v, int axis)
 {
@@ -100,14 +100,14 @@ inline Vec3<S> normalized(const Vec3<S>& a)
 	const S l = length(a);
 	return l > S(0) ? a * (S(1) / l) : a;
 }
-/// The part of a perpendicular to the unit vector n.
+/// The component of a perpendicular to the unit vector n.
 template <class S>
 inline Vec3<S> tangential(const Vec3<S>& a, const Vec3<S>& n)
 {
 	return a - n * dot(n, a);
 }
 
-/// Share of the way from a to b at which the segment is nearest to p; 0 where a and b coincide.
+/// Share of the way from a to b of the point nearest to p; 0 if a and b coincide.
 inline float shareOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
 	const Vec3f ab      = b - a;

@@ -13,22 +13,21 @@ namespace gpr::app {
 
 enum class MeshFormat { Ply, Obj, Off, Stl, Glb };
 
-/// The format that a file's extension stands for, upper or lower case.
-/// Throws AppError (Usage) where it stands for none.
+/// The format of a file extension, in upper or lower case. Throws AppError (Usage) for other
+/// extensions.
 MeshFormat formatOfPath(const std::string& path);
 
 /// The attributes without which a run with these options cannot be.
 WantedAttributes neededBy(const RemeshOptions& options);
 
-/// Reads a mesh in the format that its extension stands for. Throws AppError (BadInput) with a
-/// sentence that names the file when it cannot be read, has no faces or lacks a wanted attribute,
-/// and (Usage) where its format has none.
+/// Reads a mesh in the format of its extension. Throws AppError (BadInput) with a sentence that
+/// names the file, if the file cannot be read, has no faces or lacks a wanted attribute, and
+/// (Usage) if the format has no such attribute.
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {});
 
-/// Writes a mesh in the format that the path's extension stands for; an older file is replaced
-/// only when all has gone well. Throws AppError (Failure) otherwise.
-/// Throws (Stopped), the older file left alone, when the run has to end.
-/// attributes.lost receives words for what the format does not hold.
+/// Writes a mesh in the format of the path's extension; an older file is replaced only after
+/// success. Throws AppError (Failure) otherwise. Throws (Stopped), with the older file unchanged,
+/// if the run has to end. attributes.lost receives words for data that the format does not hold.
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit);
 

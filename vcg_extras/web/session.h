@@ -20,7 +20,7 @@ using app::Json;
 /// Passes bytes to the caller beside the JSON.
 using Pack = Json (*)(std::string_view bytes);
 
-/// One mesh, and what is made of it. Not for several threads at a time. Failures are AppError.
+/// One open mesh, and its results. Not for several threads at a time. Failures are AppError.
 class Session {
 public:
 	Session(ProgressCallback progress, Pack pack);

@@ -9,7 +9,7 @@
 
 namespace gpr {
 
-/// Radians; 0 where one of them has no length.
+/// The angle between two vectors, radians; 0 if a vector has length 0.
 inline float angleBetween(const Vec3f& a, const Vec3f& b)
 {
 	return portable::angle(length(cross(a, b)), dot(a, b));

@@ -10,7 +10,7 @@
 
 namespace gpr {
 
-/// Box along the axes; empty at first.
+/// A box along the axes; empty at first.
 template <class S>
 struct Box {
 	static constexpr S infinite = std::numeric_limits<S>::infinity();
@@ -22,7 +22,7 @@ struct Box {
 	Box(const Vec3<S>& a, const Vec3<S>& b) : low(a), high(b) {}
 
 	void add(const Vec3<S>& p) { *this += Box(p, p); }
-	/// An empty box changes nothing. Named so that Workers::sum can join the boxes of pieces.
+	/// Enlarges the box by box b. An operator, so that Workers::sum can join the boxes of pieces.
 	Box& operator+=(const Box& b)
 	{
 		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
@@ -31,9 +31,9 @@ struct Box {
 	}
 
 	bool isEmpty() const { return !(high.x >= low.x); }
-	/// 0 of an empty box.
+	/// 0 for an empty box.
 	S diagonal() const { return isEmpty() ? S(0) : length(high - low); }
-	/// Negative of an empty box.
+	/// Negative for an empty box.
 	S largestSide() const
 	{
 		return std::max(high.x - low.x, std::max(high.y - low.y, high.z - low.z));

@@ -12,8 +12,8 @@
 
 namespace gpr {
 
-/// Array of plain values that, unlike std::vector, is not initialised: the first write is the only
-/// pass over fresh memory. Large ones come in huge pages where the system offers them.
+/// An array of plain values without initialisation, unlike std::vector: the first write is the only
+/// pass over fresh memory. Large arrays lie in huge pages if the system has such pages.
 template <class T>
 class Buffer {
 	static_assert(std::is_trivially_copyable<T>::value, "Buffer holds plain values only");

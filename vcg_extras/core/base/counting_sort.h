@@ -10,10 +10,10 @@
 
 namespace gpr {
 
-/// Sorts items 0 .. itemNum-1 into buckets: start gets bucketNum + 1 entries, item the items bucket
-/// by bucket, ascending within each. bucketOf(i) may be negative: such items are left out.
-/// Cost: linear, parallel; the threads fill a bucket in any order, sorting it afterwards makes the
-/// outcome unique.
+/// Sorts items 0 .. itemNum-1 into buckets. `start` gets bucketNum + 1 entries; `item` gets the
+/// items bucket by bucket, ascending within each. Items with a negative bucketOf(i) are left out.
+/// Cost: linear, parallel. Threads fill a bucket in any order; sorting each bucket makes the result
+/// unique.
 template <class BucketOf>
 void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf& bucketOf,
 					 Workers& workers, Buffer<int>& start, Buffer<int>& item)
@@ -24,8 +24,8 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 		const int b = bucketOf(i);
 		if (b >= 0) __atomic_fetch_add(&start[b], 1, __ATOMIC_RELAXED);
 	});
-	// Now start[b] is a count; make it the end of bucket b, and let the filling below lower it to
-	// the beginning.
+	// Each start[b] is a count now. sumUp makes it the end of bucket b, and the filling below
+	// lowers it to the beginning.
 	const int total  = workers.sumUp(start.data(), bucketNum);
 	start[bucketNum] = total;
 	item.reset(total);
@@ -42,9 +42,9 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 	});
 }
 
-/// make(0), ..., make(itemNum - 1) in ascending order, where bucketOf(value) in [0, bucketNum)
-/// rises with the value. Values that are equal have to be alike. Cost: linear where buckets are
-/// small, parallel.
+/// Sorts the values make(0), ..., make(itemNum - 1). bucketOf(value) in [0, bucketNum) must rise
+/// with the value. Equal values must be indistinguishable. Cost: linear with small buckets,
+/// parallel.
 template <class Value, class Make, class BucketOf>
 Buffer<Value> sortedByBuckets(std::size_t itemNum, std::size_t bucketNum, const Make& make,
 							  const BucketOf& bucketOf, Workers& workers)

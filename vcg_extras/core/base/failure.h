@@ -11,14 +11,14 @@
 
 namespace gpr {
 
-/// Thrown inside the engine where a run cannot go on; the facade makes a result without a mesh of
-/// it.
+/// An exception for a run that cannot go on; the facade turns the exception into a result without a
+/// mesh.
 struct Failure {
 	Status       status;
 	std::string  message;               ///< a sentence for the user
-	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: what to ask for instead
-	std::int64_t smallestFaceNum   = 0; ///< the same where faces are counted; 0: not known
-	std::int64_t nextFaceNum       = 0; ///< another number that the message names; 0: none
+	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the least possible count
+	std::int64_t smallestFaceNum   = 0; ///< likewise for a target of faces; 0: not known
+	std::int64_t nextFaceNum       = 0; ///< another number in the message; 0: none
 
 	Failure(Status s, std::string m, std::int64_t smallest = 0, std::int64_t smallestFaces = 0) :
 			status(s), message(std::move(m)), smallestVertexNum(smallest),

@@ -5,9 +5,9 @@
 
 namespace gpr {
 
-/// Four floats that are added and multiplied together, by one instruction each where the compiler
-/// knows vectors (GCC and Clang). Each lane is computed as a single float is (IEEE), so that the
-/// results have the same bits with and without. GPR_SCALAR_LANES builds without.
+/// Four floats with lane-wise sum and product, by one instruction each on compilers with vectors
+/// (GCC and Clang). Each lane follows IEEE like a single float, so that results have the same bits
+/// without vectors. GPR_SCALAR_LANES builds without vectors.
 class Float4 {
 public:
 	Float4() : Float4(0, 0, 0, 0) {}

@@ -13,7 +13,7 @@ int signOf(double x)
 	return (x > 0) - (x < 0);
 }
 
-/// A sum of two doubles and what rounding has lost: Knuth's two-sum.
+/// A rounded sum of two doubles and the rounding error: Knuth's two-sum.
 struct ExactPair {
 	double high, low;
 };
@@ -32,7 +32,7 @@ double upperHalf(double a)
 	return c - (c - a);
 }
 
-/// Dekker's product.
+/// A rounded product of two doubles and the rounding error: Dekker's product.
 ExactPair exactProduct(double a, double b)
 {
 	const double product = a * b;
@@ -50,7 +50,7 @@ struct Terms {
 	{
 		if (x != 0) term[num++] = x;
 	}
-	/// ab is a product of two floats, or of two short differences, which a double holds exactly.
+	/// Adds ab·c. ab must be exact: a product of two floats, or of two short differences.
 	void addProduct(double ab, double c)
 	{
 		const ExactPair p = exactProduct(ab, c);
@@ -60,8 +60,8 @@ struct Terms {
 	int sign() const { return signOfSum(term, num); }
 };
 
-/// Whether a - b is exact in a double, and in the upper half of one, so that a product of two such
-/// differences is exact, too.
+/// Whether a - b is exact in the upper half of a double. Products of two such differences are then
+/// exact.
 bool isShortDifference(double a, double b)
 {
 	const double difference = a - b;
@@ -74,7 +74,7 @@ bool areShortDifferences(const Vec3d& a, const Vec3d& b)
 		   isShortDifference(a.z, b.z);
 }
 
-/// Of the determinant of three rows whose entries fill the upper half of a double.
+/// The sign of the determinant of three rows; the entries must fit in the upper half of a double.
 int signOfDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
 	Terms<12> t;
@@ -87,7 +87,7 @@ int signOfDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 	return t.sign();
 }
 
-/// The terms of the determinant of three points themselves, times a sign.
+/// Adds the terms of the determinant of three points, times a sign.
 template <std::size_t most>
 void addDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign, Terms<most>& t)
 {
@@ -99,7 +99,7 @@ void addDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign,
 	t.addProduct(-sign * a.x * b.z, c.y);
 }
 
-/// For any floats, without a difference of them.
+/// The orientation of any float points, without differences.
 int exactOrientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
 {
 	Terms<48> t;

@@ -9,30 +9,30 @@
 
 namespace gpr {
 
-/// The sign of a sum, exactly: -1, 0 or 1. The terms must be finite, and no sum of theirs may
-/// overflow. Expansions after Shewchuk (1997, Adaptive Precision Floating-Point Arithmetic and Fast
-/// Robust Geometric Predicates). Cost: O(num²).
+/// The sign of a sum, exactly: -1, 0 or 1. Needs finite terms, at most 64, without overflow of any
+/// partial sum. Expansions after Shewchuk (1997, Adaptive Precision Floating-Point Arithmetic and
+/// Fast Robust Geometric Predicates). Cost: O(num²).
 int signOfSum(const double* term, std::size_t num);
 
-/// On which side of the plane a b c the point d lies, exactly: 1 where a, b, c turn
-/// counter-clockwise seen from d, -1 on the other side, 0 in the plane. Rounding is looked at only
-/// where a bound of its error says so. Coordinates must be finite, and those that are not 0
-/// between 1e-30 and 1e30, as working coordinates are.
+/// The side of the plane a b c on which point d lies, exactly: 1 if a, b, c turn counter-clockwise
+/// seen from d, -1 on the other side, 0 in the plane. Exact arithmetic is used only if an error
+/// bound demands it. Coordinates must be 0 or between 1e-30 and 1e30 in size, as working
+/// coordinates are.
 int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d);
 
-/// A point without one of its coordinates.
+/// A point of a coordinate plane.
 struct Vec2f {
 	float x = 0, y = 0;
 };
 
-/// Without coordinate `axis` (0, 1 or 2).
+/// The point without coordinate `axis` (0, 1 or 2).
 inline Vec2f dropAxis(const Vec3f& p, int axis)
 {
 	if (axis == 0) return {p.y, p.z};
 	return axis == 1 ? Vec2f{p.z, p.x} : Vec2f{p.x, p.y};
 }
 
-/// 1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 on a line; exactly.
+/// 1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if collinear; exactly.
 int orientation(const Vec2f& a, const Vec2f& b, const Vec2f& c);
 
 } // namespace gpr

@@ -9,8 +9,8 @@
 
 namespace gpr {
 
-/// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent;
-/// and two marks.
+/// A unit vector in 32 bits, with 10 bits a coordinate and two marks. The direction is right to
+/// about 0.1°, enough to distinguish flat and bent.
 class PackedNormal {
 public:
 	PackedNormal() = default;

@@ -27,7 +27,7 @@ void* PagePool::take(std::size_t bytes)
 	return block;
 }
 
-/// The begin of the smallest block that is large enough, or nullptr.
+/// Takes the begin of the smallest block with enough bytes, or returns nullptr.
 char* PagePool::takeFree(std::size_t bytes)
 {
 	auto best = free_.end();

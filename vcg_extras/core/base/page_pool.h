@@ -9,16 +9,16 @@
 
 namespace gpr {
 
-/// Huge pages that large arrays have given back, for the next ones. The system clears each page
-/// that it hands out, which takes as long as many a stage does with it; what the process had before
-/// need not be cleared. Memory is asked of the system only after as much was returned to it, as
-/// long as there is some: so the process never has more than its arrays at their peak.
+/// A pool of huge pages for large arrays, which reuses released pages. The system clears each fresh
+/// page, which takes as long as many a stage's work on the page; reused pages need no clearing.
+/// Before the pool maps new memory, it returns the same number of bytes to the system, as long as
+/// free blocks remain: the process never has more than its arrays at their peak.
 class PagePool {
 public:
 	static constexpr std::size_t pageBytes = std::size_t(2) << 20;
 
-	/// What the system is asked for: blocks of whole pages, at addresses that are multiples of
-	/// pageBytes. map returns nullptr where there is no memory.
+	/// The calls of the system: blocks of whole pages, at addresses that are multiples of
+	/// pageBytes. map returns nullptr without memory.
 	struct System {
 		void* (*map)(std::size_t bytes);
 		void (*unmap)(void* block, std::size_t bytes);
@@ -29,11 +29,11 @@ public:
 	PagePool(const PagePool&)            = delete;
 	PagePool& operator=(const PagePool&) = delete;
 
-	/// Room for so many bytes, of unknown content; throws std::bad_alloc. Any thread may call.
+	/// Takes a block of unknown content; throws std::bad_alloc. Any thread may call.
 	void* take(std::size_t bytes);
-	/// bytes: as they were asked for.
+	/// Puts a block back. bytes: as in the call of take.
 	void give(void* block, std::size_t bytes);
-	/// All that is not in use goes back to the system.
+	/// Returns all free blocks to the system.
 	void returnAll();
 
 private:
@@ -44,7 +44,7 @@ private:
 
 	System             system_;
 	std::mutex         mutex_;
-	std::vector<Block> free_; ///< ascending by address; those side by side are joined
+	std::vector<Block> free_; ///< ascending by address; adjacent blocks are joined
 
 	char* takeFree(std::size_t bytes);
 	void  returnSome(std::size_t bytes);

@@ -44,7 +44,7 @@ File openTable(const char* path)
 				[](std::FILE* f) { return f != nullptr ? std::fclose(f) : 0; });
 }
 
-/// The number behind a word in one of the system's tables, in bytes; 0 where there is none.
+/// The number after a word in a table of the system, in bytes; 0 if the word is not in the table.
 std::int64_t bytesInTable(const char* path, const char* name)
 {
 	const File table = openTable(path);
@@ -63,7 +63,7 @@ std::int64_t numberInFile(const char* path)
 	return file && std::fscanf(file.get(), "%lld", &number) == 1 ? number : 0;
 }
 
-/// What the process may still take of a limit; `most` where there is no such limit.
+/// The bytes left below a limit, at most `most`; without a limit `most`.
 std::int64_t leftOf(std::int64_t limit, std::int64_t used, std::int64_t most)
 {
 	return limit > 0 ? std::min(most, std::max<std::int64_t>(1, limit - used)) : most;
@@ -86,7 +86,7 @@ std::int64_t availableMemoryBytes()
 	std::int64_t bytes = bytesInTable("/proc/meminfo", "MemAvailable:");
 	if (bytes == 0) return 0;
 	const char* const self = "/proc/self/status";
-	// A container's limit, and that of the shell.
+	// The limits of a container and of the shell.
 	bytes = leftOf(numberInFile("/sys/fs/cgroup/memory.max"), bytesInTable(self, "VmRSS:"), bytes);
 	return leftOf(addressSpaceLimit(), bytesInTable(self, "VmSize:"), bytes);
 #elif defined(_WIN32)
@@ -94,7 +94,7 @@ std::int64_t availableMemoryBytes()
 	status.dwLength = sizeof status;
 	return GlobalMemoryStatusEx(&status) ? std::int64_t(status.ullAvailPhys) : 0;
 #elif defined(__APPLE__)
-	// How much of it is free is not told in one figure.
+	// The system has no single figure for free memory.
 	std::int64_t bytes = 0;
 	std::size_t  size  = sizeof bytes;
 	return sysctlbyname("hw.memsize", &bytes, &size, nullptr, 0) == 0 ? bytes : 0;
@@ -112,7 +112,8 @@ void unmapPages(void* block, std::size_t bytes)
 	munmap(block, bytes);
 }
 
-/// The system's own alignment is that of small pages: more is taken, and what sticks out returned.
+/// Maps pages at a multiple of the huge page size. The system aligns to small pages only: maps more
+/// and unmaps both ends.
 void* mapPages(std::size_t bytes)
 {
 	constexpr std::size_t page = PagePool::pageBytes;
@@ -129,14 +130,14 @@ void* mapPages(std::size_t bytes)
 	return begin + before;
 }
 
-/// Never destroyed: arrays of static objects may be given back at the very end.
+/// Never destroyed: static objects may release arrays at the very end.
 PagePool& pool()
 {
 	static PagePool* const pool = new PagePool({mapPages, unmapPages});
 	return *pool;
 }
 
-/// What lies beyond an array is seen by a sanitizer only where each array has memory of its own.
+/// A sanitizer sees accesses beyond an array only if each array has memory of its own.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool isSanitized = true;
 #elif defined(__has_feature)

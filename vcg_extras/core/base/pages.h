@@ -8,18 +8,17 @@
 
 namespace gpr {
 
-/// Memory for a large array, in huge pages where the system offers them (see page_pool.h); throws
-/// std::bad_alloc. bytes: the same when it is released.
-/// This file is the only place of the engine that talks to the operating system.
+/// Allocates memory for a large array, in huge pages if the system has such pages (page_pool.h);
+/// throws std::bad_alloc. releasePages needs the same `bytes`. The engine calls the operating
+/// system in this file only.
 void* allocatePages(std::size_t bytes);
 void  releasePages(void* memory, std::size_t bytes);
 
-/// Gives memory back to the system that was released but is kept for later, where that can be
-/// asked for: before a stage that needs much. Cost: some milliseconds.
+/// Returns released memory that is kept for reuse to the system, if the system can do so. For use
+/// before a stage that needs much memory. Cost: some milliseconds.
 void returnReleasedMemory();
 
-/// Memory that this process may still take without that of others being moved to a disk; 0 where
-/// it is unknown.
+/// Memory that this process may still take without swapping of other processes; 0 if unknown.
 std::int64_t availableMemoryBytes();
 
 } // namespace gpr

@@ -10,8 +10,8 @@
 
 namespace gpr {
 
-/// Asks at every 65,536th call whether to go on: for serial loops of millions, and from the calling
-/// thread only.
+/// Polls the workers at every 65,536th call: for serial loops of millions of items in the calling
+/// thread.
 class Poller {
 public:
 	explicit Poller(Workers& workers) : workers_(workers) {}
@@ -26,7 +26,7 @@ private:
 	std::size_t callNum_ = 0;
 };
 
-/// std::sort that can be cancelled; the values are in any order then.
+/// std::sort that can be cancelled; the values are then in any order.
 template <class Iterator>
 void sortPolled(Iterator begin, Iterator end, Workers& workers)
 {

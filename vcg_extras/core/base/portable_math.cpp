@@ -10,7 +10,7 @@ namespace gpr::portable {
 
 namespace {
 
-/// A number as a sum of two, to more than 100 bits.
+/// A number as a sum of two doubles, to more than 100 bits.
 struct Exact {
 	double high, low;
 };
@@ -50,7 +50,7 @@ double polynomial(const double (&c)[N], double x)
 	return sum;
 }
 
-/// t less the series' first term, for the arc tangent of at most 1/16.
+/// Series of the arc tangent for t of at most 1/16, without the first term.
 constexpr double coarseArcTangent[] = {1.0 / 3, 1.0 / 5, 1.0 / 7};
 constexpr double fineArcTangent[]   = {1.0 / 3, 1.0 / 5, 1.0 / 7, 1.0 / 9, 1.0 / 11, 1.0 / 13};
 
@@ -68,42 +68,42 @@ constexpr double cosineSeries[] = {1.0 / 2,
 								   1.0 / 20922789888000,
 								   1.0 / 6402373705728000};
 
-/// From the second power on.
+/// Taylor series of exp from the second power on.
 constexpr double exponentialSeries[] = {
 	1.0 / 2,         1.0 / 6,          1.0 / 24,         1.0 / 120,     1.0 / 720,
 	1.0 / 5040,      1.0 / 40320,      1.0 / 362880,     1.0 / 3628800, 1.0 / 39916800,
 	1.0 / 479001600, 1.0 / 6227020800, 1.0 / 87178291200};
 
-/// Of log((1 + s) / (1 - s)) over s, without the first term, by powers of s².
+/// Series of log((1 + s) / (1 - s)) / s without the first term, by powers of s².
 constexpr double logarithmSeries[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
 									  2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
 
-/// The first parts have 33 bits: their product with a whole number below 2²⁰ is exact.
+/// The first parts have 33 bits: their product with an integer below 2²⁰ is exact.
 constexpr double quarterTurnParts[] = {1.5707963267341256, 6.077100506303966e-11,
 									   2.0222662487959506e-21};
 constexpr double logOf2Parts[]      = {0.69314718048553914, 7.4406171100123968e-11};
 
-/// Which arc tangent of the table is near that of a quotient from 0 to 1.
+/// The index of the arc tangent in the table nearest to the arc tangent of a quotient from 0 to 1.
 int stepOf(double quotient)
 {
 	return int(quotient * stepNum + 0.5);
 }
 
-/// Tangent of the angle that is left when the arc tangent of step / stepNum is taken away.
+/// Tangent of the rest of the angle after the arc tangent of step / stepNum is subtracted.
 double tangentOfRest(double smaller, double larger, int step)
 {
 	const double c = step * (1.0 / stepNum);
 	return (smaller - c * larger) / (larger + c * smaller);
 }
 
-/// a - b - c, where a is the larger.
+/// a - b - c, if a is larger than b.
 double differenceOf(const Exact& a, double b, double c)
 {
 	const double high = a.high - b;
 	return high + ((a.high - high - b) + a.low - c);
 }
 
-/// What is left of an angle when the nearest multiple of a quarter turn is taken away.
+/// The rest of an angle after the nearest multiple of a quarter turn is subtracted.
 struct ReducedAngle {
 	double rest;
 	int    quarters; ///< 0 to 3
@@ -118,7 +118,7 @@ ReducedAngle reduced(double angle)
 	return {rest, int(quarters) & 3};
 }
 
-/// Of at most an eighth of a turn.
+/// Sine of at most an eighth of a turn.
 double sineOfSmall(double x)
 {
 	const double q = x * x;
@@ -130,7 +130,7 @@ double cosineOfSmall(double x)
 	return 1 - q * alternating(cosineSeries, q);
 }
 
-/// The sine of an angle that is some quarter turns and a rest.
+/// The sine of an angle of some quarter turns and a rest.
 double sineOf(const ReducedAngle& a)
 {
 	const double amount = a.quarters % 2 == 0 ? sineOfSmall(a.rest) : cosineOfSmall(a.rest);

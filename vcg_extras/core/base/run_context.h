@@ -15,18 +15,18 @@
 
 namespace gpr {
 
-/// What the steps of a run share: input and options, the threads, and where they tell what happens.
+/// The common state of a run's steps: input, options, threads, clock and notes.
 struct RunContext {
 	const MeshView&          input;
 	const RemeshOptions&     options; ///< with a seed
 	Workers&                 workers;
 	StageClock               clock;
 	std::vector<std::string> notes;       ///< sentences for the user
-	std::vector<std::string> capsReached; ///< loops that ended by their bound
+	std::vector<std::string> capsReached; ///< loops that reached their cap
 
-	/// Adds a sentence for the user, once, however often it is told. An empty one says nothing.
+	/// Adds a note for the user, unless the note is empty or was added before.
 	void tell(const std::string& note) { addOnce(note, notes); }
-	/// Tells of a loop that its bound ended; once, however often that happens.
+	/// Adds a loop that reached its cap, once.
 	void tellCap(const std::string& loop) { addOnce(loop, capsReached); }
 
 private:

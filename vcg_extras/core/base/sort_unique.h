@@ -8,7 +8,7 @@
 
 namespace gpr {
 
-/// Makes a list ascending, each value once. Cost: O(n log n).
+/// Sorts a list and removes duplicates. Cost: O(n log n).
 template <class T>
 void sortUnique(std::vector<T>& list)
 {

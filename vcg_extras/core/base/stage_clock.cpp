@@ -27,7 +27,7 @@ void StageClock::enter(Stage stage)
 {
 	finish();
 	key_ = rowOf(stage).key;
-	// Where stages are gone through again, progress waits.
+	// Progress waits while stages are repeated.
 	const double until = std::max(shareAtEnd(stage, current_), share_);
 	workers_.enterStage(rowOf(stage).phrase, part_.at(share_), part_.at(until));
 	share_ = until;

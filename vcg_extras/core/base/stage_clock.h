@@ -13,36 +13,37 @@
 
 namespace gpr {
 
-/// A part of all the work, in shares of 1.
+/// A range of the whole work, in shares of 1.
 struct WorkShare {
 	double from = 0, to = 1;
 
 	double at(double share) const { return from + share * (to - from); }
 };
 
-/// Times stages and tells progress. Stages follow each other without a gap, so that their seconds
-/// add up to the whole.
+/// Measures the time of stages and reports progress. Stages follow each other without a gap, so
+/// that their seconds add up to the whole time.
 class StageClock {
 public:
-	/// whole: of the call, where it runs the pipeline several times.
+	/// whole: the range of this run, if a call runs the pipeline several times.
 	StageClock(Workers& workers, Pipeline pipeline, WorkShare whole = {}) :
 			workers_(workers), pipeline_(pipeline), whole_(whole), part_(whole), current_(pipeline),
 			stageStart_(Clock::now())
 	{
 	}
 
-	/// Begins anew, with other work of the call.
+	/// Starts anew, for another range of the call's work.
 	void restart(WorkShare whole);
 
-	/// The stages that follow are those of another pipeline, which does the work up to this share
-	/// for the one of the clock.
+	/// Switches to the stages of another pipeline, which does the first part of the work, up to
+	/// this share.
 	void beginFirstPart(Pipeline other, double until);
-	/// From here on the pipeline of the clock does the rest.
+	/// Switches back to the clock's pipeline for the rest of the work.
 	void endFirstPart();
 
-	/// Ends the stage before and begins this one.
+	/// Ends the stage under way and begins `stage`.
 	void enter(Stage stage);
-	/// Ends the stage before. The times of all stages so far, in the order of their first entry.
+	/// Ends the stage under way. Returns the times of all stages, in the order of their first
+	/// entry.
 	const std::vector<StageTime>& finish();
 
 private:
@@ -50,12 +51,12 @@ private:
 
 	Workers&               workers_;
 	Pipeline               pipeline_;
-	WorkShare              whole_, part_; ///< part_: of the pipeline under way
+	WorkShare              whole_, part_; ///< part_: range of the pipeline under way
 	Pipeline               current_;
 	Clock::time_point      stageStart_;
 	std::vector<StageTime> times_;
 	const char*            key_   = nullptr;
-	double                 share_ = 0; ///< of the pipeline under way
+	double                 share_ = 0; ///< progress of the pipeline under way
 
 	void beginPart(Pipeline pipeline, WorkShare part);
 };

@@ -8,11 +8,11 @@
 
 namespace gpr {
 
-/// What a call of the engine goes through: some of the stages, in the order of the table.
+/// A sequence of stages, in the order of the table: the work of a function of remesh.h.
 enum class Pipeline { Remeshing, Sampling, Retriangulation, Detection };
 constexpr std::size_t pipelineNum = 4;
 
-/// One step of a pipeline, with a time in the report.
+/// A step of a pipeline with a time in the report.
 enum class Stage {
 	Load,
 	Sew,
@@ -43,15 +43,15 @@ enum class Stage {
 struct StageRow {
 	Stage       stage;
 	const char* key;    ///< in the report
-	const char* phrase; ///< what the user reads meanwhile
-	/// Per pipeline: the share of its work that is done at the end of the stage; 0: the pipeline
-	/// does not have the stage.
+	const char* phrase; ///< progress text for the user
+	/// Per pipeline: the share of work done at the end of the stage; 0: the stage is not in the
+	/// pipeline.
 	double until[pipelineNum];
 };
 
-/// All stages in their order. A stage of a later row may be followed by one of an earlier row:
-/// where a part of the work is done again, progress waits. The shares are, about, those of a run on
-/// a scan of 269,000 faces with all options at their defaults and a tenth of the vertices.
+/// All stages in their order. If a part of the work is repeated, an earlier row may follow a later
+/// row; progress then waits. The shares are approximately from a run on a scan of 269,000 faces
+/// with default options and a tenth of the vertices.
 constexpr StageRow stageTable[] = {
 	// clang-format off
 	//                                                                                     remeshing, sampling, retriangulation, detection

@@ -52,7 +52,7 @@ struct SymmetricMatrixOf {
 				xz * v.x + yz * v.y + zz * v.z};
 	}
 
-	/// x with this · x = b, by cofactors in double; none where the determinant is at most
+	/// Solves this · x = b, by cofactors in double; nothing if the determinant is at most
 	/// `smallest`.
 	std::optional<Vec3<Scalar>> solve(const Vec3<Scalar>& b, double smallest = 0) const
 	{

@@ -13,7 +13,7 @@ Vec3f nearestOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 	return a + (b - a) * shareOnSegment(p, a, b);
 }
 
-/// For triangles without area, whose inside says nothing.
+/// The nearest point for degenerate triangles, whose inside is undefined.
 Vec3f nearestOnOutline(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
 	Vec3f best = nearestOnSegment(p, a, b);
@@ -23,7 +23,7 @@ Vec3f nearestOnOutline(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec
 	return best;
 }
 
-/// False where the sine of the angle at a is lost in rounding.
+/// False if the sine of the angle at a is lost in rounding.
 bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
 	const Vec3f ab = b - a, ac = c - a;
@@ -57,7 +57,8 @@ float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	return 3.4641016f * length(cross(b - a, c - a)) / (edges + 1e-30f);
 }
 
-/// Ericson, Real-Time Collision Detection, §5.1.5: the region of the triangle in which p lies.
+/// Finds the region of the triangle in which p lies (Ericson, Real-Time Collision Detection,
+/// §5.1.5).
 Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
 	if (!hasArea(a, b, c)) return nearestOnOutline(p, a, b, c);
@@ -86,7 +87,7 @@ Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Ve
 std::array<float, 3> weightsAt(const Vec3f& q, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
 	const Vec3f n       = cross(b - a, c - a);
-	const float squared = squaredLength(n) + 1e-30f; // not zero where there is no area
+	const float squared = squaredLength(n) + 1e-30f; // not zero for degenerate triangles
 	const float atB     = dot(cross(q - a, c - a), n) / squared;
 	const float atC     = dot(cross(b - a, q - a), n) / squared;
 	return {1 - atB - atC, atB, atC};

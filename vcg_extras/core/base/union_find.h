@@ -7,8 +7,8 @@
 
 namespace gpr {
 
-/// Disjoint sets of numbers, as a table of parents: an array, or a map that has all of them. A root
-/// is its own parent. Shortens the way by path halving.
+/// Finds the root of x in disjoint sets of numbers. The table of parents is an array, or a map with
+/// all numbers. A root is its own parent. Shortens paths by halving.
 template <class Table>
 int rootOf(Table& parent, int x)
 {
@@ -17,7 +17,7 @@ int rootOf(Table& parent, int x)
 	return x;
 }
 
-/// Joins two sets. Their root is the smaller one of both, so that the order of calls does not
+/// Joins two sets. The root is the smaller root of both, so that the order of calls does not
 /// matter.
 template <class Table>
 void joinSets(Table& parent, int a, int b)

@@ -19,13 +19,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Below what a user feels as a delay, and long enough that asking costs nothing.
+/// Shorter than a delay that a user feels, long enough that polling costs nothing.
 constexpr auto pollPeriod = std::chrono::milliseconds(40);
-/// Looks at a flag before going to sleep: some tens of microseconds. Stages are chains of short
+/// Looks at a flag before a thread sleeps: some tens of microseconds. Stages are chains of short
 /// loops, and waking a thread costs as much as many a loop on a small mesh.
 constexpr int looksBeforeSleep = 1000;
 
-/// Tells the processor that this is a waiting loop.
+/// Tells the processor to pause in a waiting loop.
 void pause()
 {
 #if defined(__x86_64__) || defined(_M_X64)
@@ -47,7 +47,7 @@ struct Workers::Pool {
 	std::condition_variable  wake;
 	std::condition_variable  done;
 	std::atomic<std::size_t> generation{0}; ///< of loops; changed under the mutex
-	std::atomic<int>         busy{0};       ///< threads that are not through with the loop
+	std::atomic<int>         busy{0};       ///< threads that still work on the loop
 	std::atomic<bool>        quit{false};
 
 	// The loop under way.
@@ -69,11 +69,11 @@ struct Workers::Pool {
 	const StopRequest* stopRequest = nullptr;
 	Clock::time_point  deadline;
 
-	// Of a thread that does a task for others.
-	Workers* asked = nullptr; ///< in place of this one
-	int      asker = 0;       ///< the thread, in a loop of that
+	// For Workers in a task of another loop.
+	Workers* asked = nullptr; ///< the owner of the loop
+	int      asker = 0;       ///< the owner's thread that does the task
 
-	/// For other threads than the calling one: neither progress nor anything else is changed.
+	/// poll() for threads other than the calling thread: reads only.
 	void pollAside() const
 	{
 		if (stop || (stopRequest != nullptr && *stopRequest)) throw CancelledError();
@@ -87,7 +87,7 @@ struct Workers::Pool {
 		stop = true;
 	}
 
-	/// Takes tasks until none is left. Worker 0 is the calling thread and polls in between.
+	/// Takes tasks until none is left. Worker 0 is the calling thread and polls between tasks.
 	void work(int worker, Workers& owner)
 	{
 		try {
@@ -187,7 +187,7 @@ int Workers::threadNum() const
 
 std::size_t Workers::grainFor(std::size_t n)
 {
-	// Small enough to share the work evenly, large enough that taking a piece costs nothing.
+	// Small enough for an even share of work, large enough that taking a piece costs nothing.
 	return std::min<std::size_t>(16384, std::max<std::size_t>(1, n / 64));
 }
 

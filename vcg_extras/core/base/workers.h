@@ -14,22 +14,22 @@
 
 namespace gpr {
 
-/// Thrown in the calling thread when the progress callback, or another thread, asked to stop.
+/// Thrown in the calling thread after the progress callback or another thread asked to stop.
 struct CancelledError {};
-/// Thrown in the calling thread when the time limit has passed.
+/// Thrown in the calling thread after the time limit.
 struct OutOfTimeError {};
 
-/// Threads that share loops, and the one place where progress is told and cancelling noticed.
-/// Every loop ends before its call returns. Which thread does what never shows in a result: loops
-/// write only to their own indices, sums are formed over pieces of fixed size.
+/// Threads that share loops; the only place of progress and cancelling. Every loop ends before its
+/// call returns. No result depends on the distribution of work: loops write only to their own
+/// indices, and sums are formed over pieces of fixed size.
 class Workers {
 public:
-	/// threads = 0 takes one per core, timeLimitSeconds = 0 as long as it takes. `stop` may be
-	/// null; it is looked at much more often than progress is told.
+	/// threads = 0 takes a thread per core; timeLimitSeconds = 0 sets no limit. `stop` may be null;
+	/// the flag is read much more often than progress is reported.
 	Workers(int threads, ProgressCallback progress, double timeLimitSeconds = 0,
 			const StopRequest* stop = nullptr);
-	/// One thread alone, for a task that thread `worker` does in a loop of `owner`: poll() asks the
-	/// owner there, so that long tasks end early with the loop.
+	/// A single thread, for a task of thread `worker` in a loop of `owner`. poll() then asks the
+	/// owner, so that long tasks end early with the loop.
 	Workers(Workers& owner, int worker);
 	~Workers();
 	Workers(const Workers&)            = delete;
@@ -37,7 +37,7 @@ public:
 
 	int threadNum() const;
 
-	/// Sums and collections are formed over pieces of so many items, whatever the threads.
+	/// Number of items in a piece for sums and collections, independent of the number of threads.
 	static constexpr std::size_t pieceSize = 4096;
 
 	/// Calls body(begin, end) for pieces of [0, n), in any order, in parallel.
@@ -84,7 +84,7 @@ public:
 		return total;
 	}
 
-	/// The same, of what visit(i, sum) adds for every i in [0, n).
+	/// Sum of the values that visit(i, sum) adds for every i in [0, n), as sum().
 	template <class Value, class Visit>
 	Value sumEach(std::size_t n, const Visit& visit)
 	{
@@ -96,7 +96,7 @@ public:
 		});
 	}
 
-	/// What body(begin, end, out) appends for pieces of fixed size, joined in order.
+	/// The values that body(begin, end, out) appends for pieces of fixed size, joined in order.
 	template <class Value, class Body>
 	std::vector<Value> collect(std::size_t n, const Body& body)
 	{
@@ -106,7 +106,7 @@ public:
 		return all;
 	}
 
-	/// The same, of what visit(i, out) appends for every i in [0, n).
+	/// The values that visit(i, out) appends for every i in [0, n), joined in order.
 	template <class Value, class Visit>
 	std::vector<Value> collectEach(std::size_t n, const Visit& visit)
 	{
@@ -116,7 +116,7 @@ public:
 		});
 	}
 
-	/// All i in [0, n) that pass the test, ascending.
+	/// All i in [0, n) for which the test is true, ascending.
 	template <class Test>
 	std::vector<int> collectIf(std::size_t n, const Test& test)
 	{
@@ -125,7 +125,7 @@ public:
 		});
 	}
 
-	/// The same as collect for much: joined by all threads, in memory that is written to once.
+	/// As collect, for many values: all threads join the parts, in memory written only once.
 	template <class Value, class Body>
 	Buffer<Value> collectMany(std::size_t n, const Body& body)
 	{
@@ -141,14 +141,15 @@ public:
 		return all;
 	}
 
-	/// Replaces every value by the sum of it and all before it; returns the last, 0 if n is 0.
+	/// Replaces every value by the sum up to and including the value; returns the last sum, 0 if n
+	/// is 0.
 	int sumUp(int* value, std::size_t n);
 
-	/// From here on the work done runs from `from` to `to` (shares of 1).
+	/// Begins a stage whose progress runs from `from` to `to` (shares of 1).
 	void enterStage(const char* phrase, double from, double to);
-	/// Tells progress if the last time is a while ago; throws CancelledError or OutOfTimeError.
-	/// Long serial loops call it now and then, from the calling thread only, or in tasks (see
-	/// above). share: of the stage's own work.
+	/// Reports progress, if the last report is a while ago; throws CancelledError or
+	/// OutOfTimeError. For long serial loops in the calling thread, or in tasks with Workers of
+	/// their own. share: of the stage's work.
 	void poll(double share = 0);
 
 private:

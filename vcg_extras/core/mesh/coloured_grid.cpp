@@ -9,7 +9,7 @@ namespace gpr {
 
 namespace {
 
-/// Half a cell's width beyond its side would touch the next cell of the colour.
+/// In cell widths. Half a width would touch the next cell of the same colour.
 constexpr float reachBeyondSide = 0.48f;
 
 /// Coordinates of a cell, 20 bits each.
@@ -30,7 +30,7 @@ struct KeyedVertex {
 	}
 };
 
-/// The working frame is the unit cube about the origin or smaller, so no coordinate is below this.
+/// Coordinates are above this: the working frame is the unit cube about the origin, or smaller.
 constexpr float lowest = -2;
 
 CellNumber cellOf(const Vec3f& p, float width)

@@ -13,11 +13,11 @@
 
 namespace gpr {
 
-/// A cube of space, the vertices that lie in it, and how far work that begins there may reach.
+/// A cube of space with its vertices, and the reach of work in the cell.
 struct GridCell {
 	Vec3f centre;
 	float reach = 0; ///< from the centre, along each axis
-	int   begin = 0; ///< of ColouredGrid::vertices
+	int   begin = 0; ///< in ColouredGrid::vertices
 	int   end   = 0;
 
 	bool reaches(const Vec3f& p) const
@@ -27,18 +27,18 @@ struct GridCell {
 	}
 };
 
-/// Some vertices of a mesh, shared out to cubes of space in eight colours.
+/// Some vertices of a mesh, assigned to cubes of space in eight colours.
 ///
-/// What the cells of one colour reach never overlaps. So flips whose four vertices are all reached
-/// can be made in all cells of a colour at once: a flip writes to its two faces, to the opposites
-/// of their outer edges, and to its vertices. A turn round a reached vertex reads faces with one
-/// vertex reached at least, whose opposites at that vertex no other cell writes. The outcome
-/// depends on the order of colours and vertices only.
+/// The reaches of two cells of the same colour never overlap. So all cells of a colour can at once
+/// make flips within reach of all four vertices: a flip writes to its two faces, to the opposites
+/// of their outer edges, and to its vertices. A walk round a vertex within reach reads only faces
+/// at this vertex, whose opposites there no other cell writes. The result depends only on the order
+/// of colours and vertices.
 struct ColouredGrid {
 	std::vector<int>                     vertices;
 	std::array<std::vector<GridCell>, 8> byColour;
 
-	/// Calls body(cell) for every cell: the colours one after the other, a colour's in parallel.
+	/// Calls body(cell) for every cell: colour after colour, the cells of a colour in parallel.
 	template <class Body>
 	void forEachCell(Workers& workers, const Body& body) const
 	{
@@ -47,8 +47,8 @@ struct ColouredGrid {
 	}
 };
 
-/// Shares the vertices out to cells of the given width (working units), which keep their order.
-/// Cost: sorts the vertices by cell.
+/// Assigns the vertices to cells of the given width (working units); a cell keeps their order.
+/// Cost: a sort of the vertices by cell.
 ColouredGrid cutIntoGridCells(const HalfEdgeMesh& mesh, const std::vector<int>& vertices,
 							  float width);
 

@@ -11,15 +11,15 @@
 
 namespace gpr {
 
-/// Which faces are linked over edges.
+/// The components of a mesh.
 struct Components {
 	int              num = 0;
-	std::vector<int> ofFace; ///< per face: the number of its component, in the order of their first
+	std::vector<int> ofFace; ///< per face: the number of its component; numbers follow the first
 							 ///< faces
 };
 
-/// Of a mesh without dead faces; isLinked(h) tells whether the two faces of edge h count as linked.
-/// Cost: linear, serial; polls.
+/// Finds the components of a mesh without dead faces. isLinked(h): whether the two faces of edge h
+/// count as linked. Cost: linear, serial; polls.
 template <class IsLinked>
 Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinked& isLinked)
 {
@@ -48,7 +48,7 @@ Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinke
 	return found;
 }
 
-/// The same where all faces that share an edge are linked.
+/// Finds the components over all inner edges.
 Components findComponents(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr

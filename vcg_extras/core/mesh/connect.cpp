@@ -15,7 +15,7 @@ namespace gpr {
 
 namespace {
 
-/// A half-edge at its smaller end: the other end, and whether it leads there or comes from there.
+/// A half-edge at its smaller end: the other end, and the direction.
 struct Spoke {
 	int  other;
 	bool leaves;
@@ -29,7 +29,7 @@ bool spokeLess(const Spoke& a, const Spoke& b)
 	return a.halfEdge < b.halfEdge;
 }
 
-/// The spokes of a vertex: few as plain arrays, all of them where there are more.
+/// The spokes of a vertex. Up to `few` a direction lie in plain arrays.
 struct SpokeFan {
 	static constexpr int few = 16; // nearly all vertices have fewer
 	struct End {
@@ -38,8 +38,8 @@ struct SpokeFan {
 	};
 	End                leaving[few], coming[few];
 	int                leavingNum = 0, comingNum = 0;
-	int                pairNum = 0; ///< of few ones
-	std::vector<Spoke> all;         ///< those beyond; after gatherAll() all
+	int                pairNum = 0; ///< pairs found in the plain arrays
+	std::vector<Spoke> all;         ///< further spokes; after gatherAll() all spokes
 
 	void clear()
 	{
@@ -69,7 +69,7 @@ struct SpokeFan {
 		for (int i = 0; i < std::min(comingNum, few); ++i)
 			all.push_back({coming[i].other, false, coming[i].halfEdge});
 	}
-	/// Appends the half-edges that have no opposite: for few ones, only counted where all have one.
+	/// Appends half-edges without an opposite. Skips the search if the counts show only pairs.
 	void addUnpaired(const Buffer<int>& opposite, std::vector<int>& out) const
 	{
 		for (const Spoke& s : all) {
@@ -83,7 +83,7 @@ struct SpokeFan {
 			if (opposite[coming[i].halfEdge] < 0) out.push_back(coming[i].halfEdge);
 		}
 	}
-	/// Whether an edge leaves, or comes, more than once.
+	/// Whether two spokes with the same other end have the same direction.
 	bool hasTwins() const
 	{
 		bool twins = false;
@@ -99,7 +99,7 @@ struct SpokeFan {
 	}
 };
 
-/// pairSpokes for vertices with many neighbours, and for edges of more than two faces.
+/// pairSpokes for vertices with many neighbours, and for edges with more than two faces.
 bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 {
 	std::sort(spokes.begin(), spokes.end(), spokeLess);
@@ -123,9 +123,9 @@ bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 	return isManifold;
 }
 
-/// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
-/// two faces in opposite directions. Three edges a vertex are usual, so every half-edge that leaves
-/// is compared with every one that comes: that beats sorting.
+/// Pairs the half-edges with the same smaller end. Returns false if an edge has more than two
+/// faces, or two faces in the same direction. Most vertices have three edges here, for which
+/// comparing every leaving with every coming half-edge is faster than sorting.
 bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 {
 	if (fan.leavingNum > SpokeFan::few || fan.comingNum > SpokeFan::few) {
@@ -158,9 +158,9 @@ void lowerTo(int& place, int value)
 										__ATOMIC_RELAXED)) {}
 }
 
-/// Pairs the half-edges at their smaller ends, and finds one that leaves each vertex, in one pass:
-/// a border half-edge where there is one; else one of the first of the vertex' own faces, or, for
-/// vertices that are no face's smallest, the smallest of all.
+/// Pairs half-edges at their smaller ends, and finds a half-edge leaving each vertex, in one pass:
+/// a border half-edge, if any; else a half-edge of the vertex' own faces; for a vertex without own
+/// faces the smallest half-edge.
 class HalfEdgePairing {
 public:
 	HalfEdgePairing(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
@@ -170,7 +170,7 @@ public:
 	{
 	}
 
-	/// Fills m.opposite; and m.outgoing, if all is manifold, which is returned.
+	/// Fills m.opposite. If the mesh is manifold, fills m.outgoing too and returns true.
 	bool run()
 	{
 		sortIntoBuckets(
@@ -199,7 +199,7 @@ public:
 
 private:
 	const IndexedMesh& mesh_;
-	const Buffer<int>& faceStart_; ///< of the faces that a vertex is the first corner of: its own
+	const Buffer<int>& faceStart_; ///< per vertex: its own faces, with the vertex as first corner
 	Workers&           workers_;
 	HalfEdgeMesh&      m_;
 	Buffer<int>        thirdStart_, third_; ///< faces by the smaller end of their second half-edge
@@ -213,14 +213,14 @@ private:
 						 [&](int v) { m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1; });
 	}
 
-	/// For a vertex without faces of its own, which several threads may come across.
+	/// For a vertex without own faces, which several threads may visit.
 	void leaveByOther(int v, int h)
 	{
 		if (!hasOwnFaces(v)) lowerTo(m_.outgoing[v], h);
 	}
 
-	/// Of each face two half-edges have the first corner as their smaller end, and are found
-	/// through faceStart; only the third one is bucketed.
+	/// Collects the spokes of v. Two half-edges of a face have the first corner as smaller end and
+	/// are found through faceStart; only the third half-edge needs a bucket.
 	void gather(int v, SpokeFan& fan)
 	{
 		fan.clear();
@@ -242,10 +242,10 @@ private:
 	}
 };
 
-/// What the faces seen on one turn round a vertex tell of the surface there.
+/// The findings of a walk round a vertex, face by face.
 class Turn {
 public:
-	/// The face with these edges from the vertex, next to the one before.
+	/// Adds the next face, given by its two edges from the vertex.
 	void add(const Vec3f& a, const Vec3f& b)
 	{
 		const Vec3f     normal = cross(a, b);
@@ -262,7 +262,7 @@ public:
 
 	int  cornerNum() const { return cornerNum_; }
 	bool isPointed() const { return length(sum_) < pointedSpread * area_; }
-	/// At a border too the last face is compared with the first: a mark too many does no harm.
+	/// Compares the last and first face even at a border: a needless mark does no harm.
 	bool isRough() const { return isRough_ || meetSharply(last_, first_); }
 
 	PackedNormal normal() const
@@ -299,9 +299,9 @@ Turn turnRound(const HalfEdgeMesh& m, int v)
 	return turn;
 }
 
-/// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
-/// corners exactly if every vertex has a single fan. Vertices are marked on the way: to turn round
-/// all of them once more, or to visit all faces, would cost as much as this.
+/// Computes vertex normals and marks by walks round every vertex. Returns whether every vertex has
+/// a single fan: the walks then visit all corners. Marking here saves a second pass, which would
+/// cost as much.
 bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
 {
 	normal.reset(m.vertexNum);
@@ -338,8 +338,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 
 Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite, Workers& workers)
 {
-	// Where to begin turning: at the border's half-edge if there is one, else anywhere; where there
-	// are several fans it does not matter either.
+	// A walk begins at a border half-edge, if any. With several fans any begin will do.
 	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
 	Buffer<int>       outgoing(mesh.vertexNum, -1);
 	Buffer<char>      seen(halfEdgeNum), bad(mesh.vertexNum, 0);

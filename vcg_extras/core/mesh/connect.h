@@ -12,58 +12,56 @@
 
 namespace gpr {
 
-/// The input as the engine works on it: ordered, with half-edges. Never changed once it is
-/// built.
+/// The input in the form of the engine: ordered, with half-edges. Never changed after it is built.
 struct Surface {
 	HalfEdgeMesh         mesh;
-	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
-	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); its
-									 ///< marks: see pointedSpread, roughDeg and roughWidth
-	Buffer<float>      size;         ///< per vertex: see sizing.h; empty: the same everywhere
+	Buffer<int>          sourceFace; ///< per face: the face of the input
+	Buffer<PackedNormal> normal;     ///< per vertex, weighted by area (zero if undefined); marks:
+									 ///< see pointedSpread, roughDeg and roughWidth
+	Buffer<float>      size;         ///< per vertex: see sizing.h; empty: even sizes
 	std::vector<Vec3f> meetings;     ///< see IndexedMesh
 	Frame              frame;
 	MortonGrid         grid;
 };
 
-/// How far the normals of the faces round a vertex spread: the length of the sum of their cross
-/// products over the sum of the lengths is 1 on flat ground, and below this at the apex of any cone
-/// that lacks so many degrees.
+/// Bound of the spread of normals at the apex of a cone. The spread at a vertex is the length of
+/// the sum of its faces' cross products over the sum of their lengths: 1 on flat ground, below this
+/// bound on cones with this angle defect.
 constexpr float spreadAtApex(float defectDeg)
 {
 	return 1.05f - defectDeg / 360;
 }
 
-/// Vertices with a spread below this are marked as pointed.
+/// Vertices with a smaller spread are marked as pointed.
 constexpr float pointedSpread = spreadAtApex(30);
 
-/// Vertices at which two faces meet at more than this, or one is narrower than that in working
-/// units, are marked as rough: few on most surfaces, and all that searches for sharp edges and thin
-/// faces need to look at.
+/// Vertices with two faces that meet at a larger angle, or with a face narrower than roughWidth
+/// (working units), are marked as rough. Few vertices of most surfaces are rough, and searches for
+/// crease edges and thin faces visit only rough vertices.
 constexpr float roughDeg   = 30;
 constexpr float roughWidth = 2e-6f;
 
-/// Stage::Connect: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges
-/// at their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
-/// oriented, and returns true; otherwise returns false and leaves `mesh` as it was. Then
-/// surface.mesh.opposite tells, for repairManifold, which half-edges are the two of an edge with
-/// faces in opposite directions; the others have -1. Cost: linear, parallel.
+/// Stage::Connect: builds the half-edge table of an ordered mesh (see orderSpatially), by bucketing
+/// half-edges at their smaller end. If the mesh is manifold and consistently oriented, moves the
+/// arrays out of `mesh` and returns true. Otherwise returns false and leaves `mesh` unchanged; for
+/// repairManifold, surface.mesh.opposite then links the half-edges of edges with two faces in
+/// opposite directions and is -1 for all other half-edges. Cost: linear, parallel.
 bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
 
-/// Which vertices (1) have more than one fan, where some half-edges are joined. Where connect()
-/// failed, these are all that are to blame: an edge that is not shared by two faces in opposite
-/// directions was left without opposites, so that at its ends fans end that do not end there.
-/// Cost: linear, parallel.
+/// Marks vertices with several fans (1), given linked half-edges. After a failed connect() these
+/// are all faulty vertices: an edge without two faces in opposite directions has no opposites, so
+/// that fans end at both its ends. Cost: linear, parallel.
 Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite,
 							 Workers& workers);
 
-/// What Surface::normal holds for a vertex.
+/// The entry of a vertex in Surface::normal.
 PackedNormal vertexNormal(const HalfEdgeMesh& mesh, int v);
 
-/// Moves the surface's arrays back into a mesh that may be changed and connected anew. Nothing is
-/// left of the surface but its frame.
+/// Moves the arrays of a surface back into a mesh that may be changed and connected anew. The
+/// surface keeps only its frame.
 IndexedMesh disconnect(Surface& surface);
 
-/// The same surface once more. Cost: as that of its memory, parallel.
+/// A copy of a surface. Cost: a copy of its memory, parallel.
 Surface copyOf(const Surface& from, Workers& workers);
 
 } // namespace gpr

@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-/// Half-edges that leave v along a line or the border, counter-clockwise: where its sectors begin.
+/// Half-edges from v on lines or the border, counter-clockwise: the beginnings of v's sectors.
 std::vector<int> sectorsAt(const HalfEdgeMesh& m, const Buffer<char>& lines, int v)
 {
 	std::vector<int> first;

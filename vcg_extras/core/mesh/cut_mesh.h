@@ -9,15 +9,15 @@
 
 namespace gpr {
 
-/// A mesh cut along feature lines, which are borders of it.
+/// A mesh cut along feature lines, which become borders.
 struct CutMesh {
-	HalfEdgeMesh     mesh;   ///< the vertices that were first, then copies
-	std::vector<int> copyOf; ///< per copy: the vertex it was made from
+	HalfEdgeMesh     mesh;   ///< the old vertices, then copies
+	std::vector<int> copyOf; ///< per copy: its old vertex
 };
 
-/// Cuts a mesh: each vertex of a line is there once for each sector between lines. Faces and
-/// half-edges keep their numbers. lines: per half-edge, at both halves of an edge. Cost: a copy of
-/// the mesh, 32 B a face.
+/// Cuts a mesh. Each vertex of a line gets a copy for each further sector between lines. Faces and
+/// half-edges keep their numbers. lines: per half-edge, set at both halves of an edge. Cost: a copy
+/// of the mesh, 32 B a face.
 CutMesh cutAlong(const HalfEdgeMesh& mesh, const Buffer<char>& lines);
 
 } // namespace gpr

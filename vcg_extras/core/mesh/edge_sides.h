@@ -9,7 +9,7 @@
 
 namespace gpr {
 
-/// A half-edge and the edge it is a side of, named by two vertices or by two places.
+/// A half-edge as a side of its edge, which is named by two vertices or two places.
 struct EdgeSide {
 	int low, high; ///< the edge's ends
 	int halfEdge;
@@ -26,7 +26,7 @@ inline EdgeSide edgeSide(int a, int b, int halfEdge)
 	return {std::min(a, b), std::max(a, b), halfEdge};
 }
 
-/// Calls visit(begin, end) for each run of sides of one edge; the sides are sorted.
+/// Calls visit(begin, end) for each run of sides of the same edge. Needs sorted sides.
 template <class Sides, class Visit>
 void forEachEdge(const Sides& sides, const Visit& visit)
 {

@@ -43,7 +43,7 @@ private:
 
 	int cellAt(float c) const { return std::min(cellNum - 1, std::max(0, int(c * scale_))); }
 
-	/// Calls visit(cell) for the cells of a box, until it returns true.
+	/// Calls visit(cell) for the cells of a box until visit returns true.
 	template <class Visit>
 	bool anyCell(const Box<float>& box, const Visit& visit) const
 	{
@@ -70,7 +70,8 @@ Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 	});
 }
 
-/// Of the blocks: no more of them than about twice the faces; a surface fills the fewest.
+/// Depth of the blocks: at most about twice as many blocks as faces; a surface fills few of the
+/// blocks.
 int depthFor(std::int64_t faceNum)
 {
 	int depth = 1;
@@ -87,7 +88,7 @@ MortonGrid gridOver(const Box<float>& all)
 	return grid;
 }
 
-/// A mark per face: whether it lives, and shares a cell of a coarse grid with a wanted one.
+/// Marks living faces that share a cell of a coarse grid with a wanted face.
 Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 						  const std::vector<char>& wanted, Workers& workers)
 {
@@ -144,7 +145,7 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 	sortIntoBuckets(m.faceNum, std::size_t(1) << 3 * depth, blockOf, workers, start, face_);
 	level_.emplace_back(face_.size());
 	workers.forEach(face_.size(), [&](int i) { level_[0][i] = boxOfFace(m, face_[i]); });
-	constexpr std::size_t minLevels = 3; // searches by groups of faces count on them
+	constexpr std::size_t minLevels = 3; // FacePairs needs this many for groups of faces
 	while (level_.size() < minLevels || level_.back().size() > fanOut)
 		addLevel(workers);
 }

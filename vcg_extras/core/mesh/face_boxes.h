@@ -16,25 +16,25 @@ namespace gpr {
 /// The box of a living face.
 Box<float> boxOfFace(const HalfEdgeMesh& mesh, int face);
 
-/// The box of some faces; dead ones are passed over.
+/// The box of some faces, without dead faces.
 Box<float> boxOfFaces(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 
-/// A tree of the boxes of a mesh's faces as they were when it was built. Faces lie in it in the
-/// order of an octree's blocks, so that neighbours share a way through the tree. 30 B a face.
+/// A tree of the boxes of a mesh's faces at the time of building. Faces are in the order of octree
+/// blocks, so that neighbours share a path through the tree. 30 B a face.
 class FaceBoxes {
 public:
 	/// Boxes below one node of the tree.
 	static constexpr int fanOut = 4;
 
-	/// Of all living faces. Cost: linear, parallel.
+	/// Takes all living faces. Cost: linear, parallel.
 	FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers);
-	/// Only of faces that may meet one of the wanted ones (1 of a mark per face).
+	/// Takes only faces that may meet a wanted face (a mark of 1 per face).
 	FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 
-	/// Faces whose boxes met `box` when the tree was built; ascending. Cost: O(log F) a face.
+	/// Faces whose boxes met `box` at the time of building; ascending. Cost: O(log F) a face.
 	std::vector<int> meeting(const Box<float>& box) const;
 
-	/// Calls visit(i) for the places i of faces whose boxes meet `box`, until it returns false.
+	/// Calls visit(i) for the places i of faces whose boxes meet `box`, until visit returns false.
 	/// Cost: O(log F) a face.
 	template <class Visit>
 	bool forEachMeeting(const Box<float>& box, const Visit& visit) const
@@ -45,7 +45,7 @@ public:
 		return true;
 	}
 
-	/// Makes room for more of the face at place i: its box, and those above it, only grow.
+	/// Enlarges the box of the face at place i, and all boxes above.
 	void grow(int i, const Box<float>& box);
 
 	int                       faceNum() const { return int(face_.size()); }
@@ -55,7 +55,7 @@ public:
 
 private:
 	Buffer<int>                     face_;
-	std::vector<Buffer<Box<float>>> level_; ///< level 0 has a box for each of face_
+	std::vector<Buffer<Box<float>>> level_; ///< level 0 has the box of each face in face_
 
 	void build(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 	void addLevel(Workers& workers);

@@ -23,7 +23,7 @@ namespace {
 using Corners3 = std::array<Vec3f, 3>;
 using Corners2 = std::array<Vec2f, 3>;
 
-/// The corners from the k-th on.
+/// The corners of a triangle, beginning at the k-th.
 Corners3 cornersFrom(const NamedTriangle& t, int k)
 {
 	return {t.at[k], t.at[(k + 1) % 3], t.at[(k + 2) % 3]};
@@ -64,7 +64,7 @@ bool doesSegmentMeet(const Vec2f& p, const Vec2f& q, const Corners2& t)
 	return false;
 }
 
-/// An axis along which the triangle is seen with an area, or -1 where it has none.
+/// An axis along which the triangle has a projection with area, or -1 for a degenerate triangle.
 int axisOf(const Corners3& t)
 {
 	for (int axis = 0; axis < 3; ++axis) {
@@ -74,8 +74,8 @@ int axisOf(const Corners3& t)
 	return -1;
 }
 
-/// For p, q in the plane of t. Without an area t is only met by its edges, which the other triangle
-/// is asked for; that nothing is missed, such a pair counts as meeting.
+/// For p and q in the plane of t. A degenerate t counts as meeting, so that no contact is missed:
+/// its edges are tested against the other triangle only.
 bool doesSegmentMeetInPlane(const Vec3f& p, const Vec3f& q, const Corners3& t)
 {
 	const int axis = axisOf(t);
@@ -89,7 +89,7 @@ int sideOf(const Corners3& t, const Vec3f& p)
 	return orientation(t[0], t[1], t[2], p);
 }
 
-/// Closed segment, closed triangle; sideP and sideQ are those of the ends.
+/// Whether a closed segment meets a closed triangle; sideP and sideQ are the sides of its ends.
 bool doesSegmentMeet(const Vec3f& p, const Vec3f& q, int sideP, int sideQ, const Corners3& t)
 {
 	if (sideP * sideQ > 0) return false;
@@ -119,8 +119,8 @@ std::array<int, 3> sidesOf(const Corners3& t, const Corners3& s)
 	return {sideOf(t, s[0]), sideOf(t, s[1]), sideOf(t, s[2])};
 }
 
-/// Whether all of t lies beyond an edge of s, seen along the normal of s: most pairs of a nearly
-/// flat surface are told apart so.
+/// Whether all of t lies beyond an edge of s, seen along the normal of s. This test separates most
+/// pairs of a nearly flat surface.
 bool liesBeyondAnEdge(const Corners3& t, const Corners3& s)
 {
 	constexpr double margin = 1e-12; // many roundings of a double
@@ -149,8 +149,8 @@ bool doApartOnesTouch(const Corners3& s, const Corners3& t)
 	return anyEdgeMeets(s, sideOfS, t) || anyEdgeMeets(t, sideOfT, s);
 }
 
-/// Whether a plane through the shared corner 0 and an edge of s, upright on s, has s on one side
-/// and the rest of t strictly on the other.
+/// Whether a plane through the shared corner 0 and an edge of s, perpendicular to s, has s on one
+/// side and the rest of t strictly on the other.
 bool isSplitAtCorner(const Corners3& s, const Corners3& t)
 {
 	constexpr double margin = 1e-12;
@@ -163,8 +163,8 @@ bool isSplitAtCorner(const Corners3& s, const Corners3& t)
 	return isBeyond(cross(a, normal)) || isBeyond(cross(normal, b));
 }
 
-/// Of triangles that share their corner 0. They meet elsewhere only if an edge opposite to it meets
-/// the other triangle.
+/// Whether triangles with the same corner 0 touch elsewhere: only if an edge opposite corner 0
+/// meets the other triangle.
 bool doCornerNeighboursTouch(const Corners3& s, const Corners3& t)
 {
 	if (isSplitAtCorner(s, t) || isSplitAtCorner(t, s)) return false;
@@ -174,7 +174,7 @@ bool doCornerNeighboursTouch(const Corners3& s, const Corners3& t)
 	return u * v <= 0 && doesSegmentMeet(t[1], t[2], u, v, s);
 }
 
-/// Of triangles with the common edge 0 1: only where one is folded onto the other.
+/// Whether triangles with the same edge 0 1 touch elsewhere: only if folded onto each other.
 bool doEdgeNeighboursTouch(const Corners3& s, const Vec3f& apex)
 {
 	const Vec3d o(s[0]), edge = Vec3d(s[1]) - o;
@@ -189,8 +189,8 @@ bool doEdgeNeighboursTouch(const Corners3& s, const Vec3f& apex)
 		   0;
 }
 
-/// The corners that two triangles share: how many, and where the last one is in each, or the one
-/// that is not shared where two are.
+/// The shared corners of two triangles: their number, the last shared corner in each triangle, and
+/// the sums of corner numbers, which give the corner that is not shared.
 struct Shared {
 	int num = 0, inS = 0, inT = 0;
 	int sumS = 0, sumT = 0;
@@ -201,8 +201,8 @@ Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlac
 	const auto isOne = [&](int k, int l) {
 		return s.vertex[k] == t.vertex[l] || (meetsAtPlaces && s.at[k] == t.at[l]);
 	};
-	// Border vertices at one place are named alike, so that a triangle may have a name twice: each
-	// corner is counted once.
+	// Border vertices at the same place have the same name, so that a triangle may have a name
+	// twice: each corner counts once.
 	Shared shared;
 	bool   isTaken[3] = {false, false, false};
 	for (int k = 0; k < 3; ++k) {
@@ -220,7 +220,8 @@ Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlac
 	return shared;
 }
 
-/// Names border vertices at one place alike: by the first of them.
+/// The name of a corner: the smallest border vertex of `other` at the same place, or the own
+/// vertex.
 int nameOf(const HalfEdgeMesh& m, int f, int k, const NamedTriangle& other)
 {
 	const int v = m.origin[3 * f + k];
@@ -243,7 +244,7 @@ bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 	return touch(s, t);
 }
 
-/// Of the faces that are wanted (see findAmong), those that reach the mirror image.
+/// The wanted faces (see findAmong) that reach the mirror image.
 std::vector<int> facesAtMirror(const HalfEdgeMesh& m, const std::vector<char>& wanted,
 							   Workers& workers)
 {
@@ -287,14 +288,14 @@ bool touch(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces)
 	if (shared.num == 1)
 		return doCornerNeighboursTouch(cornersFrom(s, shared.inS), cornersFrom(t, shared.inT));
 	if (shared.num > 2) return true;
-	// The places of all corners add up to 3: what is missing is the apex.
+	// The numbers of all corners have the sum 3, which gives the apex.
 	const int apexOfS = 3 - shared.sumS, apexOfT = 3 - shared.sumT;
 	return doEdgeNeighboursTouch(cornersFrom(s, (apexOfS + 1) % 3), t.at[apexOfT]);
 }
 
 namespace {
 
-/// wanted: per face, whether its pairs are looked for; empty: all faces'.
+/// Finds contacts. wanted: per face, whether to search its pairs; empty: all faces.
 std::vector<FacePair> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wanted, Seams seams,
 								Workers& workers)
 {
@@ -353,7 +354,7 @@ int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 		if (!box.meets(all)) continue;
 		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
 		for (std::size_t i = 0; i < faces.size(); ++i) {
-			// The empty box of a dead face meets none.
+			// The empty box of a dead face meets no box.
 			if (!boxes[i].meets(box) || (isOneOfThem && faces[i] >= g)) continue;
 			num += doFacesTouch(m, faces[i], g, Seams::Joined);
 			if (work != nullptr) ++*work;
@@ -372,7 +373,7 @@ const std::vector<FacePair>& KnownContacts::find(const HalfEdgeMesh& m, Workers&
 	pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), isOld), pairs_.end());
 	const auto changedNum = std::count(changed.begin(), changed.end(), char(1));
 	if (changedNum == 0) return pairs_;
-	// All at once is faster than many one by one.
+	// A whole search is faster than many single searches.
 	constexpr std::ptrdiff_t many = 8;
 	if (changedNum > std::ptrdiff_t(changed.size()) / many) {
 		pairs_.clear();

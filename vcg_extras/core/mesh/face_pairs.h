@@ -13,19 +13,19 @@
 
 namespace gpr {
 
-/// Finds the pairs of faces whose boxes meet. Groups of 16 neighbours go through the tree together:
-/// that is what makes it fast.
+/// A search for the pairs of faces whose boxes meet. Groups of 16 neighbouring faces go through the
+/// tree together, for speed.
 class FacePairs {
 public:
-	/// wanted: per face, whether its pairs are looked for; empty: all faces'. Both must live as
-	/// long as this.
+	/// wanted: per face, whether to search its pairs; empty: all faces. Both arguments must outlive
+	/// this.
 	FacePairs(const FaceBoxes& boxes, const std::vector<char>& wanted) :
 			boxes_(boxes), wanted_(wanted)
 	{
 	}
 
-	/// What compare(f, g, out) appends for every pair, once each, of which one face is wanted; in
-	/// an order that does not depend on the threads. Cost: O(F log F), parallel.
+	/// Collects the values that compare(f, g, out) appends for every pair with a wanted face, once
+	/// a pair. The order does not depend on the threads. Cost: O(F log F), parallel.
 	template <class Value, class Compare>
 	std::vector<Value> collect(Workers& workers, const Compare& compare) const
 	{
@@ -44,10 +44,11 @@ private:
 	};
 
 	static constexpr int fanOut     = FaceBoxes::fanOut;
-	static constexpr int groupLevel = 2; ///< whose nodes are the groups
+	static constexpr int groupLevel = 2; ///< the level of nodes that are groups
 	static constexpr int groupSize  = fanOut * fanOut;
 
-	/// The boxes of a group by their sides: compilers compare several of them at once.
+	/// The sides of a group's boxes in separate arrays, as compilers can compare several floats at
+	/// once.
 	class GroupSides {
 	public:
 		GroupSides(const Box<float>* boxes, int num)
@@ -59,7 +60,7 @@ private:
 			}
 		}
 
-		/// Tells of each whether it meets another box.
+		/// Sets meets[k] to whether box k meets box b.
 		void compareWith(const Box<float>& b, int* meets) const
 		{
 			for (int k = 0; k < groupSize; ++k)
@@ -88,7 +89,7 @@ private:
 		return false;
 	}
 
-	/// Compares the wanted faces of a group with each other and with those of other groups.
+	/// Compares the wanted faces of a group with all faces in reach.
 	template <class Value, class Compare>
 	void searchGroup(int group, std::vector<Node>& stack, const Compare& compare,
 					 std::vector<Value>& out) const
@@ -100,8 +101,8 @@ private:
 		while (!stack.empty()) {
 			const Node n = stack.back();
 			stack.pop_back();
-			// A group that is not wanted does not search itself, so that it is looked for here even
-			// if it lies before.
+			// With wanted faces, an unwanted group does not search: the wanted group finds it even
+			// behind.
 			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
 			if (!isBehind || !boxes_.level(n.level)[n.index].meets(box)) continue;
 			if (n.level == groupLevel) {
@@ -136,7 +137,7 @@ private:
 			if (!own.meets(box)) continue;
 			if (!isWanted(boxes_.face(i))) continue;
 			sides.compareWith(own, meets);
-			// Of two faces that are wanted the first finds the second.
+			// The first of two wanted faces finds the second.
 			for (int k = wanted_.empty() ? std::max(i + 1, beginK) : beginK; k < endK; ++k) {
 				if (meets[k - beginK] == 0 || k == i) continue;
 				if (k > i || !isWanted(boxes_.face(k)))

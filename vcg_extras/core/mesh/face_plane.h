@@ -14,7 +14,7 @@ struct Foot {
 	float weight[3];
 
 	bool isInside() const { return weight[0] > 0 && weight[1] > 0 && weight[2] > 0; }
-	/// The corner with the least weight, and that with the most.
+	/// The corners with the least and with the largest weight.
 	int lightest() const
 	{
 		if (weight[0] <= weight[1]) return weight[0] <= weight[2] ? 0 : 2;
@@ -27,9 +27,9 @@ struct Foot {
 	}
 };
 
-/// A triangle and its plane, for many points: the weights of the corners at the foot of a point are
-/// linear functions of it, so that each point takes a few multiplications. Without an area no foot
-/// is inside.
+/// A triangle and its plane, for many points. The corner weights at the foot of a point are linear
+/// functions of the point, so that each point takes a few multiplications. A degenerate triangle
+/// has no foot inside.
 class FacePlane {
 public:
 	FacePlane(const HalfEdgeMesh& m, int face) :
@@ -43,18 +43,18 @@ public:
 		third_              = cross(cross_, corner_.b - corner_.a) * inverse_;
 	}
 
-	/// Twice the area times the unit normal.
+	/// The unit normal times twice the area.
 	const Vec3f& areaNormal() const { return cross_; }
 	bool         looksAlong(const Vec3f& normal) const { return dot(cross_, normal) > 0; }
 
-	/// Of the point of the plane nearest to p.
+	/// The foot of p: the nearest point of the plane.
 	Foot footOf(const Vec3f& p) const
 	{
 		const Vec3f from   = p - corner_.a;
 		const float second = dot(from, second_), third = dot(from, third_);
 		return {{1 - second - third, second, third}};
 	}
-	/// Of the point of the triangle nearest to p.
+	/// The nearest point of the triangle to p.
 	Foot nearestFoot(const Vec3f& p) const
 	{
 		const Foot inPlane = footOf(p);
@@ -69,7 +69,7 @@ public:
 	{
 		return squaredLength(pointAt(foot) - p);
 	}
-	/// Of p from the plane.
+	/// Squared distance of p from the plane.
 	float squaredHeight(const Vec3f& p) const
 	{
 		const float height = dot(p - corner_.a, cross_);
@@ -80,9 +80,9 @@ private:
 	Corners corner_;
 	Vec3f   cross_;
 	Vec3f   second_, third_; ///< gradients of the weights of the second and third corner
-	float   inverse_;        ///< 1 over the squared length of cross_; 0 without an area
+	float   inverse_;        ///< 1 over the squared length of cross_; 0 if degenerate
 
-	/// All three edges, since the triangle may be obtuse.
+	/// The nearest point on the edges. Needs all three edges, as the triangle may be obtuse.
 	Foot footOnEdges(const Vec3f& p) const;
 };
 

@@ -14,9 +14,9 @@ namespace gpr {
 
 namespace {
 
-/// Shortest over longest edge of a triangle with the smallest angle α are sin α / sin γ, γ being
-/// the largest angle, between 90° - α/2 and 180° - 2α: at most the larger of these. A little more,
-/// for rounding.
+/// Upper bound of shortest over longest edge of a triangle with the smallest angle α. The ratio is
+/// sin α / sin γ with the largest angle γ between 90° - α/2 and 180° - 2α: at most the larger value
+/// of both ends. A little more, for rounding.
 float largestEdgeRatio(float angle)
 {
 	return 1.001f * std::max(0.5f / float(portable::cos(double(angle))),

@@ -12,40 +12,40 @@
 
 namespace gpr {
 
-/// Smallest angle of a face in radians; 0 where it has no area.
+/// Smallest angle of a face in radians; 0 if degenerate.
 float smallestAngle(const HalfEdgeMesh& m, int face);
 
-/// Largest angle of a face in radians; 0 where it is not obtuse, which costs less to tell.
+/// Largest angle of a face in radians; 0, at less cost, if the face is not obtuse.
 float obtuseAngle(const HalfEdgeMesh& m, int face);
 
-/// Smallest angle in the ring of v with v at p; below 0 if a face turns so far by the move that the
-/// cosine is turnCosine or less.
+/// Smallest angle in the star of v with v at p; below 0 if the move rotates a normal so far that
+/// the cosine is at most turnCosine.
 float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
 
-/// Living faces with a smaller angle than this (radians, at most 60°), ascending. Cost: a few
-/// products a face; the angle itself is only worked out where the edges leave it open.
+/// Finds living faces with a smaller angle than `angle` (radians, at most 60°), ascending. Cost: a
+/// few products a face; computes the angle only if the edge lengths do not decide.
 std::vector<int> findPoorFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
-/// Those of the given faces.
+/// The poor faces among the given faces.
 std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vector<int>& faces);
 
-/// Living faces with a larger angle than this (radians, at least 90°), ascending. Cost: as above.
+/// Finds living faces with a larger angle than `angle` (radians, at least 90°), ascending.
 std::vector<int> findObtuseFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
 
-/// What a flip that changes valences may leave: an angle (radians), which a relaxation can still
-/// raise, and the cosine of the angle between the two faces.
+/// Bounds for flips that improve valences: the least angle, which a relaxation can still raise, and
+/// the least cosine of the angle between the two normals.
 constexpr float minFlipAngle = 17 * radians, minFlipCosine = 0.8f;
 
-/// Whether the faces that flipping h would make are sound: not turned over, no angle below
-/// minFlipAngle, and no larger angle between them than minFlipCosine says.
+/// Whether flipping h makes sound faces: not inverted, with angles of at least minFlipAngle, and
+/// with normals within minFlipCosine.
 bool flipKeepsShape(const HalfEdgeMesh& m, int h);
 
-/// Whether the area of a living face is nothing but rounding.
+/// Whether the area of a living face is mere rounding.
 bool hasNoArea(const HalfEdgeMesh& mesh, int face);
 
-/// Area of all faces, squared units of the mesh.
+/// Area of all faces, mesh units squared.
 double surfaceArea(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// Edge of equilateral triangles of the faces' mean area.
+/// Edge length of equilateral triangles with the mean area of the faces.
 float meanEdgeByArea(const HalfEdgeMesh& mesh);
 
 } // namespace gpr

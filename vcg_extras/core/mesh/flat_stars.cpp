@@ -10,10 +10,10 @@ namespace gpr {
 
 namespace {
 
-/// The faces round a vertex, seen from there.
+/// The faces of a star, as vectors from its vertex.
 class Star {
 public:
-	/// False where there are too many.
+	/// Returns false if there are too many faces.
 	bool collect(const HalfEdgeMesh& m, int v)
 	{
 		const Vec3d middle(m.position[v]);
@@ -45,8 +45,8 @@ public:
 
 private:
 	static constexpr int maxNum = 16; // nearly all vertices have fewer faces
-	/// Square of the sine of a corner's angle, far above the rounding of a double, under which the
-	/// normal of the face is not believed.
+	/// Squared sine of a corner's angle, far above the rounding of a double, below which the normal
+	/// of the face is unreliable.
 	static constexpr double leastSine = 1e-20;
 
 	std::array<Vec3d, maxNum> spoke_, normal_;
@@ -54,7 +54,8 @@ private:
 
 	const Vec3d& next(int i) const { return spoke_[i + 1 < num_ ? i + 1 : 0]; }
 
-	/// The ring of a flat star crosses a plane through the normal upwards once a turn.
+	/// Whether the ring winds once round the normal: crosses a plane through the normal upwards
+	/// once.
 	bool turnsOnce(const Vec3d& normal) const
 	{
 		const Vec3d side    = cross(normal, spoke_[0]);

@@ -10,26 +10,26 @@
 
 namespace gpr {
 
-/// Tells vertices inside the surface whose faces cannot touch each other beyond what they share:
-/// their normals lie within 37° of the mean, and they go round the vertex once, so that they are
-/// seen side by side along the mean normal. Most vertices are such ones, and most pairs of faces
-/// whose boxes meet share one. Worked out in double with a margin for rounding: a yes is certain, a
-/// no may be a yes.
+/// A test for inner vertices whose faces cannot touch beyond shared corners and edges. The normals
+/// lie within 37° of their mean, and the faces wind round the vertex once: seen along the mean
+/// normal, the faces lie side by side. Most vertices pass, and most pairs of faces with meeting
+/// boxes share a vertex. Computed in double with a margin for rounding: true is certain, false is
+/// not.
 class FlatStars {
 public:
 	explicit FlatStars(const HalfEdgeMesh& mesh) : m_(mesh) {}
 
-	/// Looks at all vertices at once: worth its time where most faces are compared. The mesh must
-	/// not change any more.
+	/// Tests all vertices at once, which pays if most faces are compared. The mesh must not change
+	/// afterwards.
 	void findAll(Workers& workers);
 
 	bool isFlat(int v) const { return isFlat_.empty() ? looksFlat(v) : isFlat_[v] != 0; }
 
-	/// Whether two faces lie round one such vertex.
+	/// Whether two faces share a flat vertex.
 	bool areInOne(int f, int g) const
 	{
-		// Most pairs are told apart by this, and which corners they share is hard to foresee: three
-		// branches, not nine.
+		// This test separates most pairs, and the shared corners are hard to predict: three
+		// branches instead of nine.
 		const int* const a = &m_.origin[3 * f];
 		const int* const b = &m_.origin[3 * g];
 		for (int k = 0; k < 3; ++k) {
@@ -41,7 +41,7 @@ public:
 
 private:
 	const HalfEdgeMesh& m_;
-	Buffer<char>        isFlat_; ///< per vertex; empty where each is looked at when it is asked for
+	Buffer<char>        isFlat_; ///< per vertex; empty: test a vertex on demand
 
 	bool looksFlat(int v) const;
 };

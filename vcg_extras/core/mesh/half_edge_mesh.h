@@ -11,7 +11,7 @@
 
 namespace gpr {
 
-/// Half-edge h belongs to face h / 3; the three of a face follow each other.
+/// Half-edge h belongs to face h / 3; the half-edges of a face have consecutive numbers.
 inline int nextInFace(int h)
 {
 	return unsigned(h) % 3 == 2 ? h - 2 : h + 1;
@@ -28,21 +28,23 @@ inline int prevInFace(int h)
 ///         /  f  \       opposite[h] is b -> a in the neighbour, or -1 at a border.
 ///        a --h--> b
 ///
-/// outgoing[v] is a half-edge leaving v; at a border vertex the one that is itself a border, so
-/// that one turn (forEachOutgoing) sees the whole fan. -1 where v is in no face.
+/// outgoing[v] is a half-edge from v, for a border vertex the border half-edge, so that a single
+/// walk (forEachOutgoing) visits the whole fan. -1 if v is in no face.
 struct HalfEdgeMesh {
 	int           vertexNum = 0;
 	int           faceNum   = 0;
-	Buffer<Vec3f> position; ///< of at least vertexNum
-	Buffer<int>   origin;   ///< of at least 3·faceNum
+	Buffer<Vec3f> position; ///< at least vertexNum entries
+	Buffer<int>   origin;   ///< at least 3·faceNum entries
 	Buffer<int>   opposite;
 	Buffer<int>   outgoing;
-	/// Per half-edge: 1 on feature lines, at both halves of an edge. Empty where there are none.
+	/// Per half-edge: 1 on feature lines, at both halves of an edge. Empty without feature lines.
 	Buffer<char> crease;
-	/// Where the mesh is half of a symmetric one: the axis on whose plane at 0 its border meets its
-	/// mirror image; the other vertices have coordinates above 0 there. -1: it is no half.
+	/// For half of a symmetric mesh: the axis perpendicular to the mirror plane at 0; else -1. The
+	/// border of the cut lies on the plane; all other vertices have coordinates above 0 on this
+	/// axis.
 	int mirrorAxis = -1;
-	/// Vertices at one place are one vertex, of several sheets: faces there do not touch.
+	/// Vertices at the same place count as a single vertex of several sheets: faces do not touch
+	/// there.
 	bool meetsAtPlaces = false;
 
 	int halfEdgeNum() const { return 3 * faceNum; }
@@ -50,25 +52,25 @@ struct HalfEdgeMesh {
 	int apex(int h) const { return origin[prevInFace(h)]; }
 
 	bool isBorderEdge(int h) const { return opposite[h] < 0; }
-	/// True for vertices of a border and for those in no face.
+	/// True also for vertices in no face.
 	bool isBorderVertex(int v) const { return outgoing[v] < 0 || opposite[outgoing[v]] < 0; }
 	bool hasCreases() const { return !crease.empty(); }
 	bool isCreaseEdge(int h) const { return hasCreases() && crease[h] != 0; }
-	/// Of the border or of a feature line: edges that stay edges, whatever happens round them.
+	/// Whether an edge is on the border or a feature line: every edit keeps such edges.
 	bool isCurveEdge(int h) const { return isBorderEdge(h) || isCreaseEdge(h); }
-	/// Feature lines that meet in v; at the border without the border's own edges.
+	/// Number of edges of feature lines at v, without border edges.
 	int  creaseNum(int v) const;
 	bool isCreaseVertex(int v) const { return hasCreases() && creaseNum(v) > 0; }
-	/// Vertices that move along a curve only, if at all.
+	/// Whether v moves along a curve only, if at all.
 	bool isCurveVertex(int v) const { return isBorderVertex(v) || isCreaseVertex(v); }
 
-	/// Whether a vertex is its own mirror image.
+	/// Whether a vertex lies on the mirror plane.
 	bool isOnMirror(int v) const
 	{
 		return mirrorAxis >= 0 && coordinate(position[v], mirrorAxis) == 0;
 	}
 
-	/// A place for v: on the mirror plane where v lies on it.
+	/// A new place for v, projected to the mirror plane if v lies on the plane.
 	template <class S>
 	Vec3<S> keptOnMirror(int v, Vec3<S> place) const
 	{
@@ -76,7 +78,7 @@ struct HalfEdgeMesh {
 		return place;
 	}
 
-	/// Area times two times the unit normal.
+	/// The unit normal times twice the area.
 	Vec3f faceCross(int f) const
 	{
 		const Vec3f a = position[origin[3 * f]];
@@ -94,19 +96,19 @@ struct HalfEdgeMesh {
 
 	/// Half-edge a -> b, or -1.
 	int findHalfEdge(int a, int b) const;
-	/// Either half-edge of the edge of a and b, a -> b if there is one; or -1.
+	/// A half-edge of the edge between a and b, preferably a -> b; or -1.
 	int findEdge(int a, int b) const;
-	/// Whether a and b are joined by an edge, seen from a; also over a border edge b -> a.
+	/// Whether an edge joins a and b, also a border edge b -> a.
 	bool areNeighbours(int a, int b) const;
 	/// Number of faces at v.
 	int valence(int v) const;
-	/// The border half-edge that ends in the border vertex v.
+	/// The border half-edge that ends in border vertex v.
 	int incomingBorder(int v) const;
 };
 
-/// Calls visit(h) for every half-edge that leaves v, counter-clockwise; at a border beginning
-/// there. The mesh must not grow meanwhile, here and below: its arrays are looked up once, as what
-/// `visit` writes could change them for all that the compiler knows.
+/// Calls visit(h) for every half-edge from v, counter-clockwise, beginning at the border if v is a
+/// border vertex. `visit` must not enlarge the mesh, here and below: arrays are looked up once, as
+/// the compiler must assume that `visit` changes pointers.
 template <class Visit>
 inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
@@ -120,9 +122,8 @@ inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 	} while (h >= 0 && h != first);
 }
 
-/// Calls visit(h, a, b) for every half-edge h that leaves v, as above; a and b lead from v to the
-/// other corners of h's face, target(h) and apex(h), where vertex w lies at at(w). Each place of
-/// the ring is asked for once only.
+/// Calls visit(h, a, b) for every half-edge h from v, as above. a and b are the vectors from v to
+/// target(h) and apex(h), for a vertex w at place at(w). Calls `at` once per vertex of the ring.
 template <class At, class Visit>
 inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const At& at, const Visit& visit)
 {
@@ -142,7 +143,7 @@ inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const At& at, const V
 	} while (h >= 0 && h != first);
 }
 
-/// The same with the mesh's own places.
+/// Likewise with the positions of the mesh.
 template <class Visit>
 inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
@@ -151,7 +152,7 @@ inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
 		m, v, [position](int w) { return position[w]; }, visit);
 }
 
-/// Calls visit(w) for every neighbour w of v, the one behind the last border edge included.
+/// Calls visit(w) for every neighbour w of v, including the end of the last border edge.
 template <class Visit>
 inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
@@ -162,7 +163,7 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 	visit(m.target(first));
 	int h = first;
 	for (;;) {
-		// The neighbour before is the next one's target, but here it need not wait for `next`.
+		// The next target is the same vertex, but this way the visit need not wait for `next`.
 		const int in   = prevInFace(h);
 		const int next = opposite[in];
 		if (next == first) return;
@@ -172,12 +173,12 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 	}
 }
 
-/// The faces at any of the vertices, ascending.
+/// The faces at the vertices, ascending.
 std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
-/// The corners of all the faces, ascending.
+/// The corners of the faces, ascending.
 std::vector<int> verticesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 
-/// The vertices and faces as callers' meshes are seen. The mesh must stay where it is.
+/// A view of vertices and faces in the form of an input mesh. The mesh must stay in place.
 MeshView viewOf(const HalfEdgeMesh& mesh);
 
 } // namespace gpr

@@ -40,8 +40,8 @@ Frame frameOf(const Box<double>& box)
 {
 	Frame        frame;
 	const double extent = box.largestSide();
-	// Coordinates that lie near the surface's own size stay as they are, so that float input is
-	// taken over exactly; only far offsets (georeferenced scans) are removed.
+	// A surface near the origin keeps its coordinates, so that float input stays exact; only far
+	// offsets (georeferenced scans) are subtracted.
 	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
 	frame.scale = scaleFor(extent);
 	return frame;
@@ -97,7 +97,7 @@ std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, W
 
 void dropUnusedVertices(IndexedMesh& mesh, Workers& workers)
 {
-	Buffer<int> numberUpTo(mesh.vertexNum, 0); // of the used vertices up to each one
+	Buffer<int> numberUpTo(mesh.vertexNum, 0); // number of used vertices up to each vertex
 	workers.forEach(std::size_t(3) * mesh.faceNum, [&](int h) {
 		__atomic_store_n(&numberUpTo[mesh.triangle[h]], 1, __ATOMIC_RELAXED);
 	});

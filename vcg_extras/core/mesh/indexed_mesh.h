@@ -15,9 +15,9 @@
 
 namespace gpr {
 
-/// Where the engine's float coordinates lie in the caller's frame:
-/// caller = origin + working / scale. The scale is a power of two, so that scaling loses no bit and
-/// the engine sees coordinates of magnitude one whatever the caller's unit.
+/// The relation of the engine's float coordinates and the frame of the input: input = origin +
+/// working / scale. The scale is a power of two: scaling loses no bit, and working coordinates have
+/// a magnitude of about 1 in any unit of the input.
 struct Frame {
 	Vec3d  origin;
 	double scale = 1;
@@ -26,23 +26,23 @@ struct Frame {
 	Vec3d toCaller(const Vec3f& p) const { return origin + Vec3d(p) * (1 / scale); }
 };
 
-/// Whether a surface in that box has a size that can be computed with.
+/// Whether the size of a surface with this bounding box is usable in computations.
 bool canBeFramed(const Box<double>& box);
 
-/// The frame for a surface in that box, whose largest side will be at least 1/2 and below 1. Needs:
-/// canBeFramed.
+/// The frame of a surface with this bounding box; the largest side becomes at least 1/2 and below
+/// 1. Needs canBeFramed.
 Frame frameOf(const Box<double>& box);
 
-/// Vertices and triangles without adjacency: the form of the mesh until it is ordered.
+/// Vertices and triangles without adjacency: the form of a mesh before connect().
 struct IndexedMesh {
 	Frame         frame;
 	int           vertexNum = 0;
 	int           faceNum   = 0;
-	Buffer<Vec3f> position;   ///< working coordinates; like the others at least this long
+	Buffer<Vec3f> position;   ///< working coordinates; every array may be longer
 	Buffer<int>   triangle;   ///< 3 a face
-	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
-	Buffer<float> size;       ///< per vertex: see sizing.h; empty: the same everywhere
-	/// Where vertices of several sheets lie that were one, ascending: see junctions.h.
+	Buffer<int>   sourceFace; ///< per face: the face of the input
+	Buffer<float> size;       ///< per vertex: see sizing.h; empty: even sizes
+	/// The places of vertices that were split into several sheets, ascending: see junctions.h.
 	std::vector<Vec3f> meetings;
 
 	Vec3f faceCross(int f) const
@@ -52,8 +52,8 @@ struct IndexedMesh {
 	}
 };
 
-/// The first `num` values once more. Large arrays are copied by all threads: memory that is written
-/// to for the first time costs more than the copy.
+/// A copy of the first `num` values, by all threads: the first write to memory costs more than the
+/// copy.
 template <class T>
 Buffer<T> copyOf(const Buffer<T>& from, std::size_t num, Workers& workers)
 {
@@ -71,7 +71,7 @@ Buffer<T> copyOf(const Buffer<T>& from, Workers& workers)
 	return copyOf(from, from.size(), workers);
 }
 
-/// Makes it at least n values long; those it had are kept.
+/// Enlarges a buffer to at least n values and keeps its values.
 template <class T>
 void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
 {
@@ -85,16 +85,17 @@ void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
 
 IndexedMesh copyOf(const IndexedMesh& from, Workers& workers);
 
-/// From the edge that begins at corner h into its face, perpendicular to the edge.
+/// The direction into the face of half-edge h, perpendicular to the edge.
 Vec3f inward(const IndexedMesh& mesh, int h);
 
-/// Keeps these faces only, ascending, and returns per face its new number (-1 if it is dropped).
+/// Drops all other faces; `kept` is ascending. Returns the new number of each face (-1: dropped).
 Buffer<int> keepFaces(IndexedMesh& mesh, const std::vector<int>& kept, Workers& workers);
 
-/// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
+/// Renames the corners, drops faces with two equal corners, and returns the number of dropped
+/// faces.
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, Workers& workers);
 
-/// Drops vertices in no face and renames the others, which keep their order.
+/// Drops vertices in no face and renumbers all other vertices, in the same order.
 void dropUnusedVertices(IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double degrees = 180 / pi;
 
-/// Disjoint sets with path halving that threads may join at once (Anderson and Woll 1991): a root
-/// is only ever put below a smaller one, by compare and swap, and ways are shortened by any value
-/// that lies farther up. Which sets come out does not depend on the order.
+/// Disjoint sets with path halving for several threads at once (Anderson and Woll 1991). A root is
+/// only put below a smaller root, by compare and swap; paths are shortened by any value farther up.
+/// The resulting sets do not depend on the order.
 class DisjointSets {
 public:
 	explicit DisjointSets(std::size_t n) : parent_(n)
@@ -103,14 +103,14 @@ void measureTopology(const MeshView& mesh, MeshFigures& figures)
 	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
 }
 
-/// 2 inradius / circumradius of a triangle with these edges and this area, two times:
-/// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
+/// 2·inradius / circumradius of a triangle with these edges and twice this area: inradius = doubled
+/// / (a + b + c), circumradius = a b c / (2 doubled).
 double ratioOfRadii(double a, double b, double c, double doubled)
 {
 	return 4 * doubled * doubled / ((a + b + c) * a * b * c);
 }
 
-/// Sums and extremes of the shapes of some faces.
+/// Sums and extremes of the shape measures of some faces.
 struct ShapeSums {
 	double       radiusRatio = 0, radiusRatioMin = 1;
 	double       aspectRatio = 0, aspectRatioMin = 1;
@@ -135,7 +135,7 @@ struct ShapeSums {
 	void add(const Vec3d& p, const Vec3d& q, const Vec3d& s)
 	{
 		const double a = length(s - q), b = length(s - p), c = length(q - p);
-		const double doubled = length(cross(q - p, s - p)); // two times the area
+		const double doubled = length(cross(q - p, s - p)); // twice the area
 		const double longest = std::max({a, b, c});
 		if (std::isfinite(longest)) edgeLen += (a + b + c) / 3;
 		if (!(doubled > 0) || !std::isfinite(doubled)) {
@@ -160,12 +160,11 @@ struct ShapeSums {
 	}
 };
 
-/// Share of vertices with six faces among those not at a border, in percent.
+/// Share of inner vertices with six faces, in percent.
 double valence6Percent(const MeshView& mesh)
 {
-	// At an inner vertex every neighbour is named twice by the ring's outer edges, once as start
-	// and once as end: signed sums over the ring cancel exactly there, and at a border almost
-	// surely not.
+	// The outer edges of a star name every neighbour of an inner vertex twice, as start and as end.
+	// Signed sums of hashes cancel exactly there, and at a border almost surely not.
 	std::vector<int>           faces(mesh.vertexNum, 0);
 	std::vector<std::uint64_t> balance(mesh.vertexNum, 0);
 	const auto hash = [](std::int32_t v) { return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull; };
@@ -249,7 +248,7 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 
 namespace {
 
-/// What one pass over the faces finds.
+/// The findings of a pass over the faces.
 struct FaceFindings {
 	std::vector<int> border; ///< half-edges
 	double           area = 0;
@@ -262,7 +261,7 @@ struct FaceFindings {
 	}
 };
 
-/// Joins the corners of each face.
+/// Joins the corners of each face in `sets`, and measures the faces.
 FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
 {
 	return workers.sumEach<FaceFindings>(m.faceNum, [&](int f, FaceFindings& found) {
@@ -276,7 +275,7 @@ FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& worke
 	});
 }
 
-/// What one pass over the vertices finds.
+/// The findings of a pass over the vertices.
 struct VertexFindings {
 	std::int64_t roots = 0;
 	Box<double>  box;
@@ -297,8 +296,8 @@ VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Wor
 	});
 }
 
-/// Each vertex of a border is the origin of one border half-edge; of a broken mesh, which the audit
-/// has yet to find out, even that is not taken for granted.
+/// Counts border loops by joined vertices, as in a faulty mesh, which only the audit finds, a
+/// border vertex may have several border half-edges.
 std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 {
 	std::vector<int> vertex;

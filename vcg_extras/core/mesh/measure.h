@@ -11,30 +11,30 @@
 
 namespace gpr {
 
-/// Counts and topology of any set of triangles, manifold or not: components are faces linked over
-/// edges, boundary loops the connected sets of edges with one face, the Euler characteristic counts
-/// vertices in use. Indices must be in range. Cost: O(F log F), serial; for `gpremesh info` and
-/// dirty input, not for the hot path.
+/// Counts and topology of any set of triangles, manifold or not. Components are faces linked over
+/// edges; border loops are the connected sets of edges with one face; the Euler characteristic
+/// counts used vertices only. Indices must be in range. Cost: O(F log F), serial; for `gpremesh
+/// info` and faulty input.
 MeshFigures measureMesh(const MeshView& mesh);
 
-/// Shape of the triangles; valence6Percent over vertices not at a border. Faces with a corner that
-/// is not finite count as having no area.
+/// Shape measures of the triangles; valence6Percent is over inner vertices. A face with a corner
+/// that is not finite counts as degenerate.
 QualityFigures measureQuality(const MeshView& mesh, Workers& workers);
 QualityFigures measureQuality(const MeshView& mesh, int threads = 1);
 
-/// 2·inradius/circumradius of every face, 1 = equilateral; 0 for faces without area. Cost: linear.
+/// 2·inradius/circumradius of every face, 1 = equilateral, 0 = degenerate. Cost: linear.
 std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers);
 
-/// The same figures of a half-edge mesh, whose topology is known; lengths in the mesh's units times
-/// unit. Cost: linear.
+/// Counts and topology of a half-edge mesh; lengths in mesh units times `unit`. Cost: linear,
+/// parallel.
 MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);
 
-/// Of all edges with one face, in the mesh's units. Cost: a pass over the half-edges.
+/// Total length of the border, in mesh units. Cost: a pass over the half-edges.
 double borderLength(const HalfEdgeMesh& mesh);
 
-/// Faces without area. Cost: a parallel pass.
+/// Number of degenerate faces. Cost: a parallel pass.
 std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
-/// Faces whose area, in working units, is nothing but rounding. Cost: a parallel pass.
+/// Number of faces with an area, in working units, of mere rounding. Cost: a parallel pass.
 std::int64_t lineFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr

@@ -10,14 +10,14 @@ namespace gpr {
 
 namespace {
 
-/// Makes g and h opposite; either may be -1, the other then is a border.
+/// Makes g and h opposite; either may be -1, which makes the other half-edge a border.
 void join(HalfEdgeMesh& m, int g, int h)
 {
 	if (g >= 0) m.opposite[g] = h;
 	if (h >= 0) m.opposite[h] = g;
 }
 
-/// After join(g, h): the edge of a feature line if one of the two edges was.
+/// After join(g, h): the merged edge is on a feature line if g or h was.
 void mergeMarks(HalfEdgeMesh& m, int g, int h)
 {
 	if (!m.hasCreases() || g < 0 || h < 0) return;
@@ -30,13 +30,13 @@ void joinMerged(HalfEdgeMesh& m, int g, int h)
 	mergeMarks(m, g, h);
 }
 
-/// Half-edge `to` now is the edge that `from` was, or a new one (from < 0).
+/// Copies the mark of half-edge `from` to `to`; no mark if from < 0.
 void moveMark(HalfEdgeMesh& m, int to, int from)
 {
 	if (m.hasCreases()) m.crease[to] = from < 0 ? char(0) : m.crease[from];
 }
 
-/// Whether the face of h has no curve edges but h, or one: two would fall together.
+/// Whether the two other edges in the face of h can merge: not if both are on curves.
 bool sideCanClose(const HalfEdgeMesh& m, int h)
 {
 	return !(m.isCurveEdge(nextInFace(h)) && m.isCurveEdge(prevInFace(h)));
@@ -56,7 +56,7 @@ int commonNeighbourNum(const HalfEdgeMesh& m, const std::vector<int>& ring, int 
 	return n;
 }
 
-/// Whether v keeps enough faces when it loses one: three inside, one at a border.
+/// Whether v has enough faces left after losing a face: three inside, one at a border.
 bool canLoseFace(const HalfEdgeMesh& m, int v)
 {
 	const int enough = m.isBorderVertex(v) ? 2 : 4;
@@ -75,8 +75,8 @@ void killFace(HalfEdgeMesh& m, int f)
 	m.origin[3 * f] = m.origin[3 * f + 1] = m.origin[3 * f + 2] = -1;
 }
 
-/// Whether every edge of the patch's triangles is an edge of the ring, each once, or a diagonal
-/// that two of them share. With two triangles fewer than places this makes it a disk.
+/// Whether every edge of the patch's triangles is an edge of the ring, used once, or a diagonal of
+/// two triangles. With two triangles fewer than places the patch is then a disk.
 bool isTriangulation(const HolePatch& patch, int placeNum, EditScratch& scratch)
 {
 	if (patch.triangleNum() != placeNum - 2 || patch.across.size() != patch.corner.size())
@@ -97,8 +97,7 @@ bool isTriangulation(const HolePatch& patch, int placeNum, EditScratch& scratch)
 	return true;
 }
 
-/// Whether an edge of the mirror image would join the same two vertices as an inner edge of the
-/// mesh.
+/// Whether an inner edge between a and b would have a mirror image with the same ends.
 bool isOwnImage(const HalfEdgeMesh& m, int a, int b)
 {
 	return m.isOnMirror(a) && m.isOnMirror(b);
@@ -118,7 +117,7 @@ bool hasNewEdgesOnly(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 	return true;
 }
 
-/// A place with one triangle of the patch had two faces of the star, and loses one.
+/// Whether each place of the ring keeps enough faces; a place with a single triangle loses a face.
 bool leavesEnoughFaces(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 					   EditScratch& scratch)
 {
@@ -134,7 +133,7 @@ bool leavesEnoughFaces(const HalfEdgeMesh& m, const VertexStar& star, const Hole
 	return true;
 }
 
-/// The only face of a border vertex goes; the edge opposite becomes border.
+/// Removes the only face of a border vertex; the edge opposite the vertex becomes border.
 void removeEar(HalfEdgeMesh& m, const VertexStar& star)
 {
 	const int beyond         = m.opposite[nextInFace(star.spoke[0])];
@@ -159,8 +158,8 @@ void renameOrigin(HalfEdgeMesh& m, int from, int to)
 
 namespace {
 
-/// Whether no edge of target(h) becomes its own mirror image when origin[h], an inner vertex with
-/// this ring, is merged into it. The ends of its border edges are joined to it already.
+/// Whether merging inner vertex origin[h], with this ring, into target(h) makes no inner edge its
+/// own mirror image. Edges from target(h) to the ring's c and d exist before.
 bool mirrorAllowsCollapse(const HalfEdgeMesh& m, int h, const std::vector<int>& ring)
 {
 	const int b = m.target(h), c = m.apex(h), d = m.apex(m.opposite[h]);
@@ -171,8 +170,8 @@ bool mirrorAllowsCollapse(const HalfEdgeMesh& m, int h, const std::vector<int>& 
 					   [&](int w) { return w == b || w == c || w == d || !m.isOnMirror(w); });
 }
 
-/// Whether v may be merged into b, its neighbour on the border: vertices of the mirror plane stay
-/// there, a piece of border on it keeps an edge, and no inner edge becomes its own mirror image.
+/// Whether v may be merged into b, its neighbour on the border: vertices stay on the mirror plane,
+/// a part of the border on the plane keeps an edge, and no inner edge becomes its own mirror image.
 /// scratch.ringA: the neighbours of v.
 bool mirrorAllowsCollapseAlongBorder(const HalfEdgeMesh& m, int v, int b, bool forward,
 									 const EditScratch& scratch)
@@ -184,7 +183,7 @@ bool mirrorAllowsCollapseAlongBorder(const HalfEdgeMesh& m, int v, int b, bool f
 											[&](int w) { return w != b && m.isOnMirror(w); });
 }
 
-/// The part of the test that asks for topology alone; origin[h] is an inner vertex.
+/// The topological part of the test; origin[h] is an inner vertex.
 bool linkAllowsCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 {
 	const int g = m.opposite[h];
@@ -230,7 +229,7 @@ void collapse(HalfEdgeMesh& m, int h)
 	const int t3 = m.opposite[nextInFace(g)], t4 = m.opposite[prevInFace(g)];
 	joinMerged(m, t1, t2);
 	joinMerged(m, t3, t4);
-	// a was inside, so t2 and t3 exist; t1 and t4 are missing where b's border ran along the faces.
+	// a was inside, so t2 and t3 exist; t1 or t4 is missing if b's border runs along the faces.
 	const bool keepsBorder = t1 >= 0 && m.isBorderVertex(b);
 	if (!keepsBorder) m.outgoing[b] = t2;
 	if (m.outgoing[c] == prevInFace(h)) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
@@ -252,7 +251,7 @@ bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScra
 	const int c = m.apex(h);
 	if (m.isCreaseVertex(v) || !sideCanClose(m, h)) return false;
 	collectNeighbours(m, v, scratch.ringA);
-	// The third vertex of a loop shares two neighbours with the next one, and stays.
+	// The third vertex of a loop has two common neighbours with the next, and stays.
 	if (commonNeighbourNum(m, scratch.ringA, b) != 1) return false;
 	return mirrorAllowsCollapseAlongBorder(m, v, b, forward, scratch) && canLoseFace(m, c);
 }
@@ -269,11 +268,11 @@ void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward)
 	const int t1 = m.opposite[inner1], t2 = m.opposite[inner2];
 	joinMerged(m, t1, t2);
 	if (forward) {
-		// b keeps its outgoing border unless that was in the dead face.
+		// b keeps its border half-edge outside the dead face.
 		if (m.outgoing[b] == inner1) m.outgoing[b] = t2;
 	}
 	else {
-		// b takes over v's outgoing border unless that was in the dead face.
+		// b takes the border half-edge of v outside the dead face.
 		m.outgoing[b] = border == inner1 ? t2 : border;
 	}
 	if (m.outgoing[c] == inner2) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
@@ -427,7 +426,7 @@ void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star)
 
 namespace {
 
-/// Whether a piece of border on the mirror plane keeps an edge without the star's vertex.
+/// Whether a part of the border on the mirror plane keeps an edge without the star's vertex.
 bool mirrorAllowsRemoval(const HalfEdgeMesh& m, const VertexStar& star)
 {
 	if (star.isClosed || !m.isOnMirror(star.vertex)) return true;
@@ -460,13 +459,13 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 		removeEar(m, star);
 		return;
 	}
-	// What lies beyond the ring; its last edge at a border has nothing there.
+	// The half-edges beyond the ring; -1 beyond the last edge at a border.
 	std::vector<int>& beyond = scratch.ringA;
 	beyond.clear();
 	for (int h : star.spoke)
 		beyond.push_back(m.opposite[nextInFace(h)]);
 	beyond.resize(star.placeNum(), -1);
-	// An inner vertex may begin at any of its half-edges, one of the border must keep its own.
+	// An inner vertex may begin at any half-edge, a border vertex only at its border half-edge.
 	std::vector<int>& onBorder = scratch.count;
 	onBorder.clear();
 	for (int w : star.ring)
@@ -537,8 +536,8 @@ void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
 
 namespace {
 
-/// Numbers those of 0 .. n-1 that live from 0 on, in their order; the others get -1. Returns how
-/// many live.
+/// Numbers the living items of 0 .. n-1 in order; other items get -1. Returns the number of living
+/// items.
 template <class IsAlive>
 int numberLiving(int n, const IsAlive& isAlive, Workers& workers, Buffer<int>& number)
 {
@@ -555,7 +554,7 @@ bool hasRoom(const HalfEdgeMesh& m)
 		   m.origin.size() > std::size_t(m.halfEdgeNum());
 }
 
-/// For just the vertices and faces it has.
+/// Allocates room for exactly the vertices and faces of the mesh.
 void reserveExactly(HalfEdgeMesh& m, bool withCreases)
 {
 	m.position.reset(m.vertexNum);

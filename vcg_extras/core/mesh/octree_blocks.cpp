@@ -17,8 +17,8 @@ int levelFor(const MortonGrid& grid, float minCellSize)
 	return level;
 }
 
-/// Where after v, at `end` at the latest, the vertices of its cell end. They are in the order of
-/// the cells, so that few are looked at: steps get longer, and the last one is halved.
+/// The end of v's cell, at most `end`. Vertices are in the order of cells: doubles the steps, then
+/// bisects the last step, and so visits few vertices.
 template <class CellOf>
 int endOfCell(const CellOf& cellOf, int v, int end)
 {

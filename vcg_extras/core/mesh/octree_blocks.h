@@ -12,24 +12,23 @@
 
 namespace gpr {
 
-/// The vertices of one octree cell.
+/// The vertices of an octree cell.
 struct Block {
 	int begin;
 	int end;
 	int colour; ///< parity of the cell's coordinates, 0 to 7
 };
 
-/// The surface cut into octree cells. Cells of one colour have at least a cell's width between
-/// them: work that begins in a cell and reaches less than half of that beyond it can be done in all
-/// cells of a colour at once, without locks, and the outcome depends only on the order of the
-/// colours.
+/// The surface cut into octree cells. Two cells of the same colour are at least a cell's width
+/// apart. So work in all cells of a colour can run at once without locks, if the work reaches less
+/// than half a cell's width beyond its cell. The result depends only on the order of colours.
 struct OctreeBlocks {
 	std::vector<Block>              blocks;   ///< in vertex order
 	std::array<std::vector<int>, 8> byColour; ///< block indices, largest block first
 	float                           cellSize = 0;
 };
 
-/// The deepest cells that are at least minCellSize wide (working units).
+/// Cuts at the deepest level with cells at least minCellSize wide (working units).
 OctreeBlocks cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers);
 
 } // namespace gpr

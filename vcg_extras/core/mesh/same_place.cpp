@@ -9,7 +9,7 @@ namespace gpr {
 
 namespace {
 
-/// Cells are wide enough that most points are far from the next one.
+/// Wide cells: most points are far from the next cell.
 std::int64_t cellOf(float c)
 {
 	return std::int64_t(std::floor(c / (16 * samePlace)));

@@ -11,12 +11,12 @@
 
 namespace gpr {
 
-/// Points this near to each other, in working units, lie at one place where parts of a mesh are
-/// joined: a millionth of the box, whose largest side is about 1. That is far below any edge worth
-/// keeping, and above the noise of coordinates that went through text or float.
+/// The largest distance, in working units, of points that count as the same place when a mesh is
+/// sewn or welded: a millionth of the box, whose largest side is about 1. Far below any useful edge
+/// length, and above the noise of coordinates in text or float.
 constexpr float samePlace = 1e-6f;
 
-/// An order of places, by x, y, z.
+/// Whether a comes before b, by x, y, z.
 inline bool isBefore(const Vec3f& a, const Vec3f& b)
 {
 	if (a.x != b.x) return a.x < b.x;
@@ -26,20 +26,20 @@ inline bool isBefore(const Vec3f& a, const Vec3f& b)
 /// Finds points at the same place: a hash table of cells, each with a chain of points.
 class SamePlaceTable {
 public:
-	/// pointNum: how many will be put in at most.
+	/// pointNum: the largest number of points.
 	explicit SamePlaceTable(std::size_t pointNum);
 
-	/// The least number of the points within samePlace of p that were put in before; where there is
-	/// none p is put in, and its own number returned. Cost: O(1) where places are far apart.
+	/// Returns the least number of a stored point within samePlace of p. Without such a point
+	/// stores p and returns its own number. Cost: O(1) if places are far apart.
 	int findOrPut(const Vec3f& p, int number);
 
 private:
 	struct Entry {
 		Vec3f point;
 		int   number;
-		int   next; ///< in the chain, or -1
+		int   next; ///< next entry in the chain, or -1
 	};
-	std::vector<int>   first_; ///< per slot, or -1; a power of two of them
+	std::vector<int>   first_; ///< per slot: the first entry, or -1; the size is a power of two
 	std::vector<Entry> entry_;
 
 	std::size_t slotOf(std::int64_t x, std::int64_t y, std::int64_t z) const;

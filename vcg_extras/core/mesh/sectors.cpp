@@ -42,10 +42,10 @@ bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
 	return flat;
 }
 
-/// isFlatSector of the whole ring, which is read once where it is not uncommonly large.
+/// isFlatSector for the whole star, which is read once unless it is very large.
 bool isFlatRing(const HalfEdgeMesh& m, int v)
 {
-	constexpr int maxKept = 12; // nearly all vertices have fewer faces; others are read twice
+	constexpr int maxKept = 12; // nearly all vertices have fewer faces; larger stars are read twice
 	Vec3f         kept[maxKept];
 	Vec3f         sum;
 	int           num = 0;

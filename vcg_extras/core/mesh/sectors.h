@@ -9,14 +9,14 @@
 
 namespace gpr {
 
-/// Feature lines cut the ring of a vertex into sectors, each of which is a piece of its own as the
-/// ring of a border vertex is: flat or not, with as many faces as its angle wants.
+/// Feature lines cut the star of a vertex into sectors. Like the star of a border vertex, each
+/// sector is flat or not, and its angle decides the wanted number of faces.
 
-/// Faces farther than this (about 37°) from their mean normal are not flat.
+/// Cosine of the largest angle (about 37°) of faces that count as flat with their mean normal.
 constexpr float flatCosine = 0.8f;
 
-/// Calls visit(first, faceNum) for every sector of v: the faces from that of the half-edge `first`
-/// on, counter-clockwise. One sector where no feature line meets v.
+/// Calls visit(first, faceNum) for every sector of v: faceNum faces, counter-clockwise from the
+/// face of half-edge `first`. The whole star is one sector if no feature line meets v.
 template <class Visit>
 inline void forEachSector(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
@@ -44,14 +44,14 @@ inline void forEachSector(const HalfEdgeMesh& m, int v, const Visit& visit)
 	visit(first, num);
 }
 
-/// Faces at v, corrected so that 6 is right everywhere: a sector, or the ring of a border vertex,
-/// wants as many faces as angles of 60° fit into it, and one at least.
+/// Number of faces at v, corrected so that 6 is ideal everywhere: the ideal of a sector, or of the
+/// star of a border vertex, is the number of 60° angles in its angle, and at least 1.
 int correctedValence(const HalfEdgeMesh& mesh, int v);
 
 /// Whether the faces of each sector of v lie within about 37° of their mean normal.
 bool isFlat(const HalfEdgeMesh& mesh, int v);
 
-/// The same for all vertices. Moving one that is not flat would round off what is sharp there.
+/// Marks flat vertices. Moving other vertices would round off sharp features.
 Buffer<char> findFlatVertices(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr

@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-/// Spreads the lowest 21 bits of x so that two zero bits lie between each two.
+/// Inserts two zero bits after each of the lowest 21 bits of x.
 std::uint64_t spreadBits(std::uint64_t x)
 {
 	x &= 0x1fffff;
@@ -22,8 +22,8 @@ std::uint64_t spreadBits(std::uint64_t x)
 	return x;
 }
 
-/// What is sorted and its key in one word: half the memory to move about. Vertices and faces take
-/// 30 bits at most (see load.cpp), as keys of faces too; cells of the deepest level used 33.
+/// A key and an index in a single word, to move half the memory. Vertices and faces take at most 30
+/// bits (see load.cpp), also as keys of faces; keys of cells take at most 33 bits.
 constexpr int indexBits = 30;
 using Keyed             = std::uint64_t;
 
@@ -40,9 +40,9 @@ std::uint64_t keyOf(Keyed item)
 	return item >> indexBits;
 }
 
-/// Stable radix sort by the lowest `bits` bits of the keys, in as few passes as digits of 12 bits
-/// allow: with more of them there are more places to write to than caches hold. Stable sorting has
-/// one outcome, so pieces can be sorted by any thread.
+/// Stable radix sort by the lowest `bits` bits of the keys, in the fewest passes with digits of at
+/// most 12 bits: more digits would write to more places than caches hold. A stable sort has a
+/// unique result, so any thread can sort any piece.
 void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 {
 	constexpr int       maxDigitBits = 12;
@@ -101,7 +101,8 @@ MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
 	return grid;
 }
 
-/// A surface fills about 4^level cells of a level: this one has about a vertex in each.
+/// A surface fills about 4^level cells of a level: the deepest level with about a vertex in each
+/// cell.
 int levelFor(int vertexNum)
 {
 	int level = 1;
@@ -110,7 +111,7 @@ int levelFor(int vertexNum)
 	return level;
 }
 
-/// The sizes of the vertices in their new order.
+/// Puts the sizes of the vertices in the new order.
 void renameSizes(const Buffer<int>& rename, Workers& workers, Buffer<float>& size)
 {
 	if (size.empty()) return;
@@ -119,7 +120,7 @@ void renameSizes(const Buffer<int>& rename, Workers& workers, Buffer<float>& siz
 	size.swap(ordered);
 }
 
-/// Puts the vertices in order; returns their new names.
+/// Sorts the vertices; returns their new numbers.
 Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& workers)
 {
 	const std::size_t n = mesh.vertexNum;
@@ -140,15 +141,15 @@ Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& wo
 	return rename;
 }
 
-/// Which corner of a face is its smallest vertex.
+/// The corner with the smallest vertex.
 int smallestCorner(const int* t)
 {
 	if (t[0] < t[1]) return t[0] < t[2] ? 0 : 2;
 	return t[1] < t[2] ? 1 : 2;
 }
 
-/// The faces by their smallest vertex, those of one as they were. Sorting moves whole streams of
-/// them; counters of each vertex, in which all threads meet, take longer.
+/// The faces by their smallest vertex, stable. Sorting moves whole streams of faces, which is
+/// faster than shared counters per vertex.
 Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
 {
 	Buffer<Keyed> items(mesh.faceNum);
@@ -163,7 +164,7 @@ Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
 	return items;
 }
 
-/// Where each key of sorted items begins, and at the end their number.
+/// The begin of each key in the sorted items, and their number at the end.
 void findStarts(const Buffer<Keyed>& items, std::size_t keyNum, Workers& workers,
 				Buffer<int>& start)
 {

@@ -16,7 +16,7 @@ Buffer<int> correctedValences(const HalfEdgeMesh& m, Workers& workers)
 
 int flipEnergy(const HalfEdgeMesh& m, const Buffer<int>& valence, int h)
 {
-	// One face less makes (n - 1 - 6)² - (n - 6)² = 13 - 2n, one more 2n - 11.
+	// A face less changes the energy by (n - 1 - 6)² - (n - 6)² = 13 - 2n, a face more by 2n - 11.
 	const int losing  = valence[m.origin[h]] + valence[m.target(h)];
 	const int gaining = valence[m.apex(h)] + valence[m.apex(m.opposite[h])];
 	return 26 - 2 * losing + 2 * gaining - 22;

@@ -10,19 +10,20 @@
 
 namespace gpr {
 
-// The energy Σ(valence - 6)² says how far a mesh is from the lattice of equilateral triangles.
+// The energy Σ(valence - 6)² measures the distance of a mesh from a lattice of equilateral
+// triangles.
 
-/// Faces at every vertex, corrected at curves so that 6 is right everywhere (sectors.h); 6 for dead
-/// vertices.
+/// Number of faces at every vertex, corrected at curves so that 6 is ideal everywhere (sectors.h);
+/// 6 for dead vertices.
 Buffer<int> correctedValences(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// What a vertex adds to the energy.
+/// The energy of a vertex.
 inline int squaredDefect(int valence)
 {
 	return (valence - 6) * (valence - 6);
 }
 
-/// By how much flipping the inner edge h changes the energy.
+/// The change of the energy by flipping the inner edge h.
 int flipEnergy(const HalfEdgeMesh& mesh, const Buffer<int>& valence, int h);
 
 } // namespace gpr

@@ -46,8 +46,8 @@ struct ConformalFace {
 	float  squaredEdge[3] = {}; ///< from each corner to the next
 	float  energy         = 0;
 
-	/// leastArea: 2A counts as at least this share of the mean squared edge, so that a face without
-	/// area has a finite force.
+	/// leastArea: 2A counts as at least this share of the mean squared edge, so that a degenerate face
+	/// has a finite force.
 	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c, float leastArea = 0)
 	{
 		constexpr float k  = 0.28867513f;

@@ -40,7 +40,7 @@ bool isSoundHalfEdge(const HalfEdgeMesh& m, int h)
 	return g < m.halfEdgeNum() && m.opposite[g] == h && m.origin[g] == b && m.target(g) == a;
 }
 
-/// Turns round v: its own half-edges only, every neighbour once, no fan beyond bounds.
+/// Whether the star of v is a single fan of v's own half-edges, with every neighbour once.
 bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::int64_t& corners)
 {
 	ring.clear();
@@ -60,8 +60,8 @@ bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::in
 	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
 }
 
-/// Whether a face before f has the same three vertices, in a table without faults: there two such
-/// faces share an edge, or a vertex of theirs would have a neighbour twice.
+/// Whether a face before f has the same three vertices, in a table without faults. Two such faces
+/// then share an edge, or one of their vertices would have a neighbour twice.
 bool isDuplicate(const HalfEdgeMesh& m, int f)
 {
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
@@ -71,7 +71,7 @@ bool isDuplicate(const HalfEdgeMesh& m, int f)
 	return false;
 }
 
-/// The number of such faces in any table.
+/// The number of duplicate faces, in any table.
 std::int64_t countDuplicateFaces(const HalfEdgeMesh& m)
 {
 	std::vector<std::array<int, 3>> faces(m.faceNum);
@@ -100,8 +100,8 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
 }
 
-/// Of the faces whose normal points against the mean of their corners' normals, those that are
-/// inverted: at a fold, a thin rim or a spike that mean is not what the face stands for.
+/// Counts inverted faces among faces with a normal against the mean normal of their corners. The
+/// mean is not the normal of the assigned points at a fold, a thin rim or a spike.
 std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
 								   const Buffer<Vec3f>& normals, Workers& workers)
 {
@@ -112,8 +112,8 @@ std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
 						 [&](int f) { return isInverted(surface, r, f); });
 }
 
-/// The same points at the same places, the same lines between them with as many sheets, and no
-/// edge or face that would become one with another.
+/// Whether points and lines of the junctions are the same, with as many sheets, and no edge or face
+/// would coincide with another after joining.
 bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& workers)
 {
 	const Junctions before(surface.mesh, surface.meetings, workers);
@@ -131,7 +131,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
 	Findings            found   = workers.sumEach<Findings>(
         m.faceNum, [&](int f, Findings& part) { checkFace(m, normals, f, part); });
-	// A table with wrong half-edges could lead the turning below astray.
+	// Wrong half-edges could lead the walks round vertices astray.
 	if (found.badEdges == 0) {
 		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 			Findings         part;
@@ -142,7 +142,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 			}
 			return part;
 		});
-		// A corner that no turn came to belongs to a second fan.
+		// A corner out of reach of these walks belongs to a second fan.
 		if (found.corners != m.halfEdgeNum()) ++found.badVertices;
 	}
 	AuditFigures a;

@@ -11,21 +11,23 @@
 
 namespace gpr {
 
-/// Last stage: checks what is promised before the result is exported. Every edge has one or two
-/// faces that run along it in opposite directions, every vertex one fan, no two faces the same
-/// corners; no face without area; no coordinate that is not finite; components, boundary loops and
-/// Euler characteristic as in `input`, the count as in targetNum (0: not promised). Where sheets
-/// meet all this is said of the sheets but the count, and the junctions are the same. Inverted
-/// faces (isInverted in face_point.h) are counted, but do not fail the audit: where a surface is
-/// thinner than the triangles are wide, no set of that many triangles looks right everywhere. Cost:
-/// linear, parallel; O(F log F) more where a fault was found.
+/// Checks a result before its export:
+/// - every edge has one or two faces, in opposite directions; every vertex has a single fan;
+/// - no two faces have the same corners; no face is degenerate; all coordinates are finite;
+/// - components, border loops and Euler characteristic are as in `input`;
+/// - the vertex count is targetNum (0: any count).
+/// At junctions all checks but the count apply to the sheets, and the junctions must be the same.
+/// Inverted faces (isInverted in face_point.h) are counted but allowed: on a surface thinner than
+/// the triangles are wide, no mesh with this count has all normals right. Cost: linear, parallel;
+/// O(F log F) more after a fault.
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 
-/// Faces that have no area in the caller's frame, where rounding is another. Cost: a parallel pass.
+/// The number of degenerate faces in the frame of the input, with its other rounding. Cost: a
+/// parallel pass.
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers);
 
-/// What failed, as one sentence; empty if the audit passed.
+/// A sentence with the failed checks; empty if the audit passed.
 std::string describeFailure(const AuditFigures& figures);
 
 } // namespace gpr

@@ -6,11 +6,11 @@ namespace gpr {
 
 namespace {
 
-/// What rounding to single precision does to positions of the input, whose box is about 1. Those of
-/// the result are handed over as they are.
+/// Error of input positions by rounding to single precision; the box is about 1. Positions of the
+/// result are compared unrounded.
 constexpr double roundingOfPositions = 1e-7;
 
-/// Proven bounds of the distances of both from each other; diagonal: of the input.
+/// Proven bounds of the distances, both ways. diagonal: of the input, working units.
 MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& workers)
 {
 	CertificateSettings settings = usualCertificate(diagonal);

@@ -10,21 +10,21 @@
 
 namespace gpr {
 
-/// The input and the result, ready for proofs about their distance; working units.
+/// Input and result, ready for proofs about their distance; working units.
 struct ComparedSurfaces {
 	MeasuredSurface input, result;
 
 	ComparedSurfaces(const Surface& surface, const ResultMesh& made, Workers& workers);
 };
 
-/// Bounds of the largest distance of input and result from each other.
+/// Bounds of the largest distance between input and result.
 struct DistanceProof {
 	bool         isMade = false;
 	MutualBounds bounds; ///< mesh units
 };
 
-/// Proves bounds of the distances of both from each other, and tells the user where their budget
-/// was spent. diagonal: of the input, mesh units. Cost: see certifiedDistance.
+/// Proves bounds of the distances between input and result, and writes a note if the budget of the
+/// proof was spent. diagonal: of the input, mesh units. Cost: see certifiedDistance.
 DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
 							const ComparedSurfaces& both);
 

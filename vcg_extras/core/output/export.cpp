@@ -20,8 +20,8 @@ namespace gpr {
 
 namespace {
 
-/// How far rounding may have taken a kept vertex of the caller's, in working units. Others lie
-/// farther from any: they come from splitting long edges between kept vertices.
+/// Largest distance of a kept vertex from its input vertex by rounding, in working units. Pinned
+/// vertices farther from all input vertices come from long edges split between kept vertices.
 constexpr double farthestFromItself = 1e-5;
 
 void exportMesh(RunContext& run, const Surface& surface, const HalfEdgeMesh& m, TriangleMesh& out)
@@ -41,8 +41,8 @@ void exportSurfacePoints(RunContext& run, const Surface& surface, const ResultMe
 	});
 }
 
-/// Vertices that stayed get the caller's own bits back. unit: the caller's length of a working
-/// one.
+/// Gives kept vertices the exact coordinates of the input. unit: length of a working unit, mesh
+/// units.
 void exportKept(const MeshView& input, const ResultMesh& result, double unit, RemeshResult& out)
 {
 	out.callersVertex.assign(result.vertex.size(), -1);
@@ -71,7 +71,7 @@ void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh&
 	});
 }
 
-/// Such a note names no more of them.
+/// Most parts of regions that a note names.
 constexpr std::size_t mostNamed = 5;
 
 std::string nameOf(const MeshView& input, const RegionPiece& piece)
@@ -108,7 +108,7 @@ void exportRegions(RunContext& run, const Surface& surface, const ResultMesh& re
 	run.tell(lostNote(run.input, labels.lost));
 }
 
-/// Per face of the caller's: whether cleaning turned it over.
+/// Per face of the input: whether cleaning reversed the face.
 std::vector<char> turnedFaces(RunContext& run, const Surface& surface)
 {
 	std::vector<char> isTurned(run.input.faceNum, 0);
@@ -123,8 +123,8 @@ std::vector<char> turnedFaces(RunContext& run, const Surface& surface)
 	return isTurned;
 }
 
-/// Sheets are worked on with all their faces running alike. Each face of the result runs as the one
-/// of the caller's that stands for it.
+/// Gives each face of the result the orientation of the input face at its middle. The engine works
+/// on sheets with consistent orientation.
 void turnAsInput(RunContext& run, const Surface& surface, const ResultMesh& result,
 				 RemeshResult& out)
 {
@@ -138,8 +138,8 @@ void turnAsInput(RunContext& run, const Surface& surface, const ResultMesh& resu
 	}
 }
 
-/// Makes one vertex of all that lie at a place where sheets meet. One of the caller's, where there
-/// is one, has the exact coordinates.
+/// Merges the vertices of all sheets at the same place of a junction. Takes the exact coordinates
+/// of an input vertex, if any.
 void joinSheets(const std::vector<int>& first, RemeshResult& out)
 {
 	std::vector<std::int32_t> newIndex(first.size());

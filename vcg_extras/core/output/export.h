@@ -12,17 +12,17 @@
 
 namespace gpr {
 
-/// Last stage: writes the mesh, and what the options ask for beside it, in the caller's frame and
-/// numbering. hasKept: vertices of the caller's stayed, and get the caller's own bits back.
-/// turnsFaces: cleaning turned faces over, and where sheets meet their orientation comes back.
-/// Returns the shape of the triangles. Throws Failure where rounding to that frame leaves a face
-/// without area; `audited` then tells how many.
+/// Writes the result mesh, and the data that the options ask for, in the frame and numbering of the
+/// input. hasKept: some vertices are input vertices and get the exact coordinates of the input.
+/// turnsFaces: cleaning reversed faces; sheets at junctions get the old orientation. Returns shape
+/// measures of the triangles. Throws Failure if rounding to the frame makes a degenerate face;
+/// `audited` then has the number.
 QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
 							bool hasKept, bool turnsFaces, AuditFigures& audited,
 							RemeshResult& out);
 
-/// Tells which vertex of the result is which of the caller's samples. A sample that lay on the
-/// surface, up to rounding, keeps its very coordinates.
+/// Writes the sample of each vertex of the result. A sample on the surface (up to rounding) gets
+/// its exact coordinates back.
 void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
 				 const ResultMesh& result, RemeshResult& out);
 

@@ -11,17 +11,17 @@ namespace gpr {
 
 namespace {
 
-/// A way that ends so near to the middle, in the way's own length, is the right one.
+/// A walk is good enough if it ends this near to the goal, over the length of the walk.
 constexpr float nearEnough = 0.2f;
 
-/// The faces from which a way may begin: on a crease all but one lead astray.
+/// The faces from which a walk may begin: from a crease, most faces lead astray.
 std::vector<int> facesToBeginIn(const HalfEdgeMesh& m, const ResultMesh& result, int v)
 {
 	const SurfacePoint& point = result.vertex[v].point;
 	return isFree(result, v) ? std::vector<int>{point.face} : facesAt(m, point);
 }
 
-/// The best end so far of ways to a point.
+/// The best end so far of the walks to a goal.
 struct BestEnd {
 	SurfacePoint at;
 	float        squaredMiss = HUGE_VALF;
@@ -42,8 +42,8 @@ struct BestEnd {
 	}
 };
 
-/// Sum of the surface's normals under the middle of a face and under the middles between that and
-/// its corners, as ways from the corner origin[h] find them.
+/// Sum of the surface normals below four points of the face of h: its middle, and the middles
+/// between its middle and its corners. Walks from the corner origin[h] find the places.
 Vec3f normalSeenFrom(const Surface& surface, const ResultMesh& result, int h)
 {
 	const HalfEdgeMesh& r      = result.mesh;

@@ -9,16 +9,15 @@
 
 namespace gpr {
 
-/// Where on the surface the middle of face f of the result lies: the end of the straight way from a
-/// corner's surface point that comes nearest to it. Walked, not searched for, so that it is never
-/// on another sheet. Cost: the faces crossed.
+/// The point of the surface below the middle of face f of the result: the best end of the straight
+/// walks from the corners' surface points. A walk never changes to another sheet, as a search
+/// might. Cost: the faces crossed.
 SurfacePoint pointOfFace(const Surface& surface, const ResultMesh& result, int f);
 
-/// Whether the normal of face f of the result points against the normal of what the face stands
-/// for: from each of its corners, the sum of the surface's normals under the middle of the face and
-/// under three points round it, found by walks as above. A wall behind a thin sheet is never asked.
-/// Nor is the face counted for a rim or fold that some of its corners lie on, where another corner
-/// sees what it stands for. Cost: twelve walks.
+/// Whether face f of the result is inverted, as seen from all three corners. The normal seen from a
+/// corner is the sum of the surface normals at four places: below the middle of the face and below
+/// three points round the middle, found by walks as above. So the far wall of a thin sheet does not
+/// count, and a corner on a rim or fold alone does not make the face inverted. Cost: twelve walks.
 bool isInverted(const Surface& surface, const ResultMesh& result, int f);
 
 } // namespace gpr

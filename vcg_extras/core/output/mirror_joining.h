@@ -13,25 +13,25 @@
 
 namespace gpr {
 
-/// Half a mesh and its mirror image, joined at the vertices of the plane.
+/// Half of a mesh and its mirror image, joined at the vertices on the mirror plane.
 struct JoinedHalves {
-	/// The half's vertices and faces first, in their order.
+	/// Vertices and faces of the half come first, in their order.
 	ResultMesh         result;
-	std::vector<Vec3d> positions; ///< in the caller's frame; result.mesh rounds them
+	std::vector<Vec3d> positions; ///< in the frame of the input; result.mesh rounds the positions
 
-	/// Vertices of the plane.
+	/// The number of vertices on the plane.
 	std::int64_t onPlaneNum = 0;
 };
 
-/// Joins a mesh in the plane's coordinates to its image. Where two regions of `region`, a label for
-/// each face of the half, or none, meet, and along the plane, edges are marked as lines. Throws
-/// Failure where an edge would have more than two faces. Cost: O(F log F), serial.
+/// Joins a mesh in the coordinates of the plane to its mirror image. Edges on the plane, and edges
+/// between two labels of `region` (per face of the half, or empty), become feature lines. Throws
+/// Failure if an edge would have more than two faces. Cost: O(F log F), serial.
 JoinedHalves joinHalves(const Surface& surface, const MirrorPlane& plane, const TriangleMesh& half,
 						const std::vector<std::int32_t>& region);
 
-/// Gives the vertices of a joined result their places on the surface: those of the half that was
-/// made, and below the image the nearest points, so that each side has the caller's values there.
-/// Cost: a search for each vertex, parallel.
+/// Sets the surface points of a joined result. Vertices of the half get the points of `made`.
+/// Vertices of the image get the nearest points of the surface, so that both sides carry over
+/// values of their own side. Cost: a search per image vertex, parallel.
 void placeOnSurface(const Surface& surface, const MirrorHalf& half, const MirrorPlane& plane,
 					const RemeshResult& made, Workers& workers, JoinedHalves& joined);
 

@@ -20,7 +20,7 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 	return {std::min(a, b), std::max(a, b)};
 }
 
-/// The edges that faces of both kinds share, sorted.
+/// The edges between selected and unselected faces, sorted.
 std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t>& isInPart)
 {
 	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
@@ -29,7 +29,7 @@ std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t
 	const auto isOfBoth = [&](std::int32_t v) {
 		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
 	};
-	std::vector<Edge> edges[2]; // of the rest, of the part; between vertices of both
+	std::vector<Edge> edges[2]; // of the rest, of the part; only edges between vertices of both
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
 		const std::int32_t a = input.vertexOf(c), b = input.vertexOf(c % 3 == 2 ? c - 2 : c + 1);
 		if (a != b && isOfBoth(a) && isOfBoth(b))
@@ -44,7 +44,7 @@ std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t
 	return seam;
 }
 
-/// Puts the part's result in the place of the selected faces.
+/// Joins the new faces to the unselected faces.
 class Joining {
 public:
 	Joining(const MeshView& input, const SelectedPart& part, const RemeshResult& made,
@@ -66,7 +66,7 @@ private:
 	const SelectedPart&       part_;
 	const RemeshResult&       made_;
 	RemeshResult&             out_;
-	std::vector<std::int32_t> newIndex_; ///< per vertex of the caller's: that of the result, or -1
+	std::vector<std::int32_t> newIndex_; ///< per input vertex: the vertex of the result, or -1
 
 	std::int32_t addCallers(std::int32_t v, const BarycentricPoint& at)
 	{
@@ -79,7 +79,7 @@ private:
 		return index;
 	}
 
-	/// The faces that are not selected, and their vertices in the caller's order.
+	/// Takes the unselected faces, and their vertices in the order of the input.
 	void takeRest()
 	{
 		std::vector<BarycentricPoint> at(input_.vertexNum);
@@ -142,7 +142,7 @@ private:
 		return std::int32_t(out_.mesh.positions.size()) - 1;
 	}
 
-	/// Every edge of the seam must be one of the new faces, too.
+	/// Throws Failure unless every edge of the seam is an edge of the new faces too.
 	void requireSeam() const
 	{
 		std::vector<Edge>  made;
@@ -168,9 +168,9 @@ RemeshOptions optionsInside(const RemeshOptions& options)
 {
 	RemeshOptions inside           = options;
 	inside.selectedOnly            = false;
-	inside.surfacePointsOfVertices = true; // they say where the parts are joined
+	inside.surfacePointsOfVertices = true; // show the vertices of the seam
 	inside.boundary                = BoundaryMode::Keep;
-	inside.sew = false; // the rest stays as it is, and is joined vertex by vertex
+	inside.sew = false; // the rest stays unchanged and is joined vertex by vertex
 	return inside;
 }
 

@@ -10,14 +10,13 @@
 
 namespace gpr {
 
-/// The options with which the selected faces are remeshed as a mesh of their own: its border stays,
-/// vertex by vertex.
+/// The options for remeshing the selected faces as a mesh whose border stays, vertex by vertex.
 RemeshOptions optionsInside(const RemeshOptions& options);
 
-/// Puts what was made of the selected faces in their place: first the faces that are not selected,
-/// in their order, then the new ones. Both share the vertices of the seam. `made` is a result of
-/// status Ok with optionsInside; `options` are the caller's. Throws Failure where the seam does not
-/// fit. Cost: linear in the input.
+/// Joins the remeshed selection to the rest: first the unselected faces in their order, then the
+/// new faces; both share the vertices of the seam. `made` is a result of status Ok with
+/// optionsInside; `options` are the user's. Throws Failure if the seam does not fit. Cost: linear
+/// in the input.
 RemeshResult joinPart(const MeshView& input, const SelectedPart& part, const RemeshOptions& options,
 					  RemeshResult made);
 

@@ -15,15 +15,15 @@ namespace gpr {
 
 namespace {
 
-/// A piece is at home between lines where it takes this share of the area there, or where this
-/// share of the piece lies. Less are middles that lie beyond the line.
+/// A piece is at home in a cell if this share of the cell's area, or this share of the piece, lies
+/// in the cell. Smaller shares come from middles beyond the line.
 constexpr double shareOfCell = 0.3, shareOfPiece = 0.6;
-/// Passes that even out borders without a line.
+/// Passes that smooth borders without a line.
 constexpr int evenings = 8;
 constexpr int none     = -1;
 
-/// Finds the pieces of the input's regions that the faces of a result belong to. The faces between
-/// lines of the result are a cell.
+/// Assigns faces of a result to pieces of the input's regions. A cell is a set of faces of the
+/// result between feature lines.
 class PieceOfFaces {
 public:
 	PieceOfFaces(const MeshView& input, const Surface& surface, const ResultMesh& result,
@@ -75,9 +75,9 @@ private:
 	std::vector<RegionPiece>              piece_;
 	std::vector<SurfacePoint>             middle_;
 	std::vector<int>                      pieceOf_;   ///< per face of the result, or none
-	std::vector<int>                      faceNumOf_; ///< per piece, of the result's faces
-	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece, of middles
-	std::vector<std::vector<int>> homeOf_; ///< per cell: the pieces at home there, ascending
+	std::vector<int>                      faceNumOf_; ///< per piece: its faces of the result
+	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece: area of faces
+	std::vector<std::vector<int>> homeOf_; ///< per cell: the pieces at home in the cell, ascending
 	std::vector<int>              reached_, lookedAtFor_; ///< of moveIntoPiece
 
 	static std::int32_t labelOf(const MeshView& input, const Surface& surface, int f)
@@ -123,7 +123,8 @@ private:
 		}
 	}
 
-	/// Faces of a cell with one piece get that; of others none where theirs is not at home.
+	/// Gives all faces of a cell the only piece at home. With several pieces at home, faces of
+	/// other pieces get none.
 	void settleCells()
 	{
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
@@ -134,7 +135,7 @@ private:
 		}
 	}
 
-	/// The pieces of the three neighbours that lie in the same cell; none where there is none.
+	/// The pieces of the three neighbours in the same cell, or none.
 	std::array<int, 3> piecesRound(int f) const
 	{
 		const HalfEdgeMesh& m = result_.mesh;
@@ -146,7 +147,7 @@ private:
 		return round;
 	}
 
-	/// Gives faces that have none the pieces of their neighbours.
+	/// Gives faces without a piece the largest piece number of their neighbours, round by round.
 	void fillGaps()
 	{
 		std::vector<int> open;
@@ -172,7 +173,8 @@ private:
 			++faceNumOf_[std::size_t(piece)];
 	}
 
-	/// Faces with two neighbours of one other piece join it, where the border has no line.
+	/// Moves faces with two neighbours of the same other piece to this piece, in cells with several
+	/// pieces.
 	bool evenOut()
 	{
 		bool hasChanged = false;
@@ -190,7 +192,7 @@ private:
 		return hasChanged;
 	}
 
-	/// Whether no neighbour has the piece of a face, which may be its only face.
+	/// Whether a face is the only face of its piece, so that the piece would be lost.
 	bool isAlone(int f, const std::array<int, 3>& round) const
 	{
 		const int own = pieceOf_[std::size_t(f)];
@@ -198,8 +200,9 @@ private:
 			   faceNumOf_[std::size_t(own)] == 1;
 	}
 
-	/// Moves a point that lies beyond the border to the middle of the nearest face, in steps over
-	/// edges, of its piece. There is one: the piece is at home here because middles lie in it.
+	/// Moves a point beyond the border of its piece to the middle of the nearest face of the piece,
+	/// in steps over edges. Such a face exists: the piece is at home because middles lie in the
+	/// piece.
 	void moveIntoPiece(int piece, SurfacePoint& at)
 	{
 		const HalfEdgeMesh& m = surface_.mesh;

@@ -12,23 +12,22 @@
 
 namespace gpr {
 
-/// A connected part of the surface whose faces have one label.
+/// A largest set of linked faces of the surface with the same label.
 struct RegionPiece {
 	std::int32_t label = 0;
-	double       area  = 0; ///< of the caller's mesh, its units squared
+	double       area  = 0; ///< area on the input, mesh units squared
 };
 
-/// The regions that the faces of a result belong to.
+/// The regions of a result's faces.
 struct RegionLabels {
 	std::vector<SurfacePoint> middle; ///< per face: a point of its region, below its middle
-	std::vector<RegionPiece>  lost;   ///< without a face in the result, the largest first
+	std::vector<RegionPiece>  lost;   ///< pieces without a face in the result, the largest first
 };
 
-/// Tells to which region of the caller's (MeshView::region, which must be there) each face of the
-/// result belongs. The faces between lines of the result belong together: they get the region that
-/// most of their middles lie in. Where a line has gaps, so that more than one region lies there,
-/// each face gets its own, evened out by its neighbours. Cost: linear but for a walk for each face,
-/// which is parallel.
+/// Assigns each face of the result to a region of the input (needs MeshView::region). All faces
+/// between feature lines of the result get the region of most of their middles. If several regions
+/// lie between the lines, because a line has gaps, each face gets the region of its own middle,
+/// smoothed by its neighbours. Cost: linear, and a walk per face, which is parallel.
 RegionLabels labelFaces(const MeshView& input, const Surface& surface, const ResultMesh& result,
 						Workers& workers);
 

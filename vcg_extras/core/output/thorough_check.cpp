@@ -26,7 +26,7 @@ CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 
 std::string describeFailure(const CheckFigures& figures, double fitDistance)
 {
-	// Rounding of positions whose box is about 1, and of the points that are found nearest.
+	// Rounding of positions, the box being about 1, and of nearest points.
 	constexpr double rounding = 1e-5;
 	std::string      what;
 	const auto       add = [&](bool failed, const std::string& phrase) {

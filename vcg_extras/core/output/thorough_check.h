@@ -13,16 +13,16 @@
 
 namespace gpr {
 
-/// What the audit leaves out because it costs as much as a run: self-intersections, and
-/// distances found by nearest points, which trust none of the run's own surface points. The input's
-/// ones are looked for only where the result has some. Lengths of the figures are in working
-/// units. both: of the same meshes. Cost: O(F log F) of both, parallel.
+/// Checks too costly for the audit: searches self-intersections, and measures distances by nearest
+/// points, without trust in the surface points of the run. Searches self-intersections of the input
+/// only if the result has some. Figures are in working units. both: made from `surface` and
+/// `result`. Cost: O(F log F) of both meshes, parallel.
 CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& result,
 							 const ComparedSurfaces& both, Workers& workers);
 
-/// What is promised and not kept, as one sentence; empty if all is: no faces intersect where
-/// none did in the input, and no vertex is farther from the input than the fit moved it, which is
-/// fitDistance in working units.
+/// A sentence with the broken promises, empty if none. Promised are no self-intersecting faces if
+/// the input has none, and no vertex farther from the input than fitDistance, the largest move of
+/// the fit in working units.
 std::string describeFailure(const CheckFigures& figures, double fitDistance);
 
 } // namespace gpr

@@ -19,11 +19,11 @@ namespace gpr {
 
 namespace {
 
-/// Without the exact count eq. (1) is left to itself: tells how near it came, and the constant
-/// that would have hit the target, as the count goes with 1/c².
+/// Without the exact count, reports how near the count by eq. (1) came to the target. Returns the
+/// constant that would have met the target, as the count is proportional to 1/c².
 double tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
-	// Vertices that are kept do not go with the radius.
+	// The number of kept vertices does not depend on the radius.
 	if (!isPaper(run.options) || expected.vertexNum == 0 || expected.keptNum > 0) return 0;
 	const double share    = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	const double constant = radiusConstant(run.options);
@@ -66,13 +66,13 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 			 "thinner than the triangles are wide.");
 }
 
-/// How far vertices may lie beside the surface, in working units.
+/// Largest distance of vertices beside the surface, in working units.
 double besideBorder(const ResultMesh& result)
 {
 	return result.hasSmoothBorder ? double(borderSlack * result.idealEdge) : 0;
 }
 
-/// The proof may have found points farther than the samples.
+/// Raises the largest sampled distances to the proven lower bounds.
 void raiseToProven(const MutualBounds& proven, CheckFigures& figures)
 {
 	MutualDistance& d       = figures.distance;
@@ -105,7 +105,7 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& 
 void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& result,
 					  BorderFigures& border)
 {
-	constexpr double leastShare = 5e-4; // what is below is not worth a word
+	constexpr double leastShare = 5e-4; // a smaller change needs no note
 	if (!border.isSmooth()) return;
 	border.resultLength  = borderLength(result.mesh) / frame.scale;
 	const double shorter = 1 - border.resultLength / border.length;

@@ -14,31 +14,31 @@
 
 namespace gpr {
 
-/// What a run set out to reach, and what it knows of its result.
+/// The goals of a run and its knowledge about the result.
 struct Expected {
-	MeshFigures  input;                  ///< of the surface that was remeshed
-	std::int64_t vertexNum          = 0; ///< of the result; 0: no number was asked for
-	std::int64_t keptNum            = 0; ///< of the caller's vertices that are to stay
+	MeshFigures  input;                  ///< of the remeshed surface
+	std::int64_t vertexNum          = 0; ///< of the result; 0: no target
+	std::int64_t keptNum            = 0; ///< input vertices to be kept
 	float        largestFitDistance = 0; ///< of a vertex from the surface, working units
 };
 
-/// What was found out about a result.
+/// The findings about a result.
 struct Verification {
 	MeshFigures   figures;
 	AuditFigures  audit;
 	CheckFigures  check;
-	DistanceProof proof;                 ///< made here where it was not before
-	std::int64_t  keptNum           = 0; ///< of the caller's vertices that were to stay
-	double        constantForTarget = 0; ///< of eq. (1): see RemeshReport
+	DistanceProof proof;                 ///< made here if not before
+	std::int64_t  keptNum           = 0; ///< input vertices that were kept
+	double        constantForTarget = 0; ///< for eq. (1): see RemeshReport
 };
 
-/// With BoundaryMode::Smooth, adds the length of the result's border to the figures, and tells the
-/// user how much shorter that is.
+/// With BoundaryMode::Smooth, adds the border length of the result to the figures, and tells the
+/// user how much shorter the border is.
 void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& result,
 					  BorderFigures& border);
 
-/// Audits the finished mesh, thoroughly where the options ask for it, and notes what the user shall
-/// know of it. Throws Failure where a promise is broken; `found` then tells which.
+/// Audits the finished mesh, thoroughly with RemeshOptions::check, and writes notes for the user.
+/// Throws Failure if a promise is broken; `found` then has the findings.
 void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& result,
 				  const Expected& expected, Verification& found);
 

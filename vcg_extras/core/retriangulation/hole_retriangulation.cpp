@@ -11,10 +11,10 @@ namespace gpr {
 
 namespace {
 
-/// Rounds of a kind, and what they accept.
+/// The rules of a kind of rounds.
 struct RoundRules {
 	float minCosine;
-	bool  sparesNeighbours; ///< a vertex waits for the next round once a neighbour has gone
+	bool  sparesNeighbours; ///< a vertex waits for the next round after a neighbour was removed
 	int   maxRounds;
 };
 
@@ -40,11 +40,11 @@ public:
 		});
 	}
 
-	/// All rounds of a block follow each other, so that it stays in the cache.
+	/// Runs all rounds of a block in a row, so that the block stays in the cache.
 	void runInBlocks()
 	{
 		HoleRules rules;
-		// Nothing done in a block may reach half-way to the next of its colour.
+		// No edit in a block may reach half-way to the next block of the same colour.
 		rules.longestSquared = 0.0625f * partition_.cellSize * partition_.cellSize;
 		std::vector<HoleRetriangulator> removers(workers_.threadNum(), HoleRetriangulator(m_));
 		for (const RoundRules& kind : roundRules) {
@@ -58,7 +58,7 @@ public:
 		}
 	}
 
-	/// What the blocks left, in one go, without the bound on edges.
+	/// Removes the remaining vertices serially, without a bound on edges.
 	std::vector<int> runRest()
 	{
 		std::vector<int> rest;
@@ -79,9 +79,9 @@ private:
 	HalfEdgeMesh&                 m_;
 	const OctreeBlocks&           partition_;
 	Workers&                      workers_;
-	std::vector<int>              lastTouch_; ///< per vertex: the round its star changed last in
+	std::vector<int>              lastTouch_; ///< per vertex: the last round that changed its star
 	std::vector<std::vector<int>> todo_;
-	int                           firstRound_ = 1; ///< rounds are numbered, see lastTouch_
+	int                           firstRound_ = 1; ///< number of the next round, for lastTouch_
 
 	void runRounds(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
 				   const RoundRules& kind, int firstRound)
@@ -93,7 +93,7 @@ private:
 		}
 	}
 
-	/// Tries each vertex once; those that stay remain in the list. round = 0: none has to wait.
+	/// Tries each vertex once; vertices that stay remain in the list. round = 0: no vertex waits.
 	void runRound(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
 				  int round)
 	{
@@ -159,7 +159,7 @@ bool HoleRetriangulator::remove(int v, const HoleRules& rules)
 	return true;
 }
 
-/// Edges between places of the ring that run outside the star.
+/// Forbids edges between places of the ring that exist outside the star.
 void HoleRetriangulator::forbidPresentEdges()
 {
 	const int n = star_.placeNum();

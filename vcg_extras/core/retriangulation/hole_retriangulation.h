@@ -12,48 +12,49 @@
 
 namespace gpr {
 
-/// Stage::Retriangulation as the paper has it (§3, last paragraph; Fu & Zhou 2008): every vertex of
-/// the surface that is no sample is taken out of the mutual tessellation; its star is flattened by
-/// the geodesic polar map, and the hole closed by a constrained Delaunay triangulation. A vertex
-/// whose hole cannot be closed without doubling an edge or folding the surface is tried again when
-/// its neighbours are gone, then under looser geometry, then merged into a neighbour (collapseRest,
-/// counted in byCollapseNum); what the topology needs stays and is counted in leftoverNum.
+/// Stage::Retriangulation of the paper (§3, last paragraph; Fu & Zhou 2008). Removes every vertex
+/// of the mutual tessellation that is no sample: flattens its star by the geodesic polar map, and
+/// closes the hole by a constrained Delaunay triangulation. If this would double an edge or fold
+/// the surface, the vertex is tried again after its neighbours, then under looser geometry, and at
+/// last merged into a neighbour (collapseRest, counted in byCollapseNum). Vertices that the
+/// topology needs stay and are counted in leftoverNum.
 ///
-/// The paper leaves open, and here is chosen: rounds in which no two neighbours go, so that the
-/// mesh coarsens evenly; at a border the angles are scaled to 180° and the hole closed along it.
+/// Two choices that the paper leaves open: no two neighbours are removed in the same round, so that
+/// the mesh coarsens evenly; at a border the angles are scaled to 180° and the hole is closed along
+/// the border.
 ///
-/// Works block by block like removeVertices, whose result it shares: the same samples give the same
-/// vertices. Needs a sampling's samples to be the fused mesh's. Cost: about 1 M vertices/s a core.
+/// Works block by block like removeVertices, and gives the same vertices from the same samples.
+/// Needs a fused mesh made from the samples of `sampling`. Cost: about 1 M vertices/s a core.
 ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 								  const Sampling& sampling, const BoundaryCurves& boundary,
 								  const OctreeBlocks& partition, Workers& workers);
 
-/// The geodesic polar map of a star: place i of its ring lies at its true distance from the vertex,
-/// in the directions the faces' angles give, scaled to add up to 360°, or 180° at a border. All
-/// places lie in one direction where the star has no angle at all. Returns the mean of the faces'
-/// normals by area. Cost: linear.
+/// Computes the geodesic polar map of a star: place i of the ring keeps its distance from the
+/// vertex; its direction follows from the angles of the faces, scaled to a sum of 360°, or 180° at
+/// a border. If all angles are 0, all places lie in the same direction. Returns the mean normal of
+/// the faces by area. Cost: linear.
 Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec2d>& flat);
 
-/// What a hole must keep to.
+/// The rules of new faces.
 struct HoleRules {
-	float minCosine      = -2;        ///< of new faces' normals with the star's mean normal
-	float longestSquared = HUGE_VALF; ///< of new edges, squared length
+	float minCosine      = -2;        ///< of a new face's normal with the star's mean normal
+	float longestSquared = HUGE_VALF; ///< largest squared length of a new edge
 };
 
-/// Removes vertices of one mesh; each thread has one of its own.
+/// Removes vertices of a mesh; every thread has an object of its own.
 class HoleRetriangulator {
 public:
 	explicit HoleRetriangulator(HalfEdgeMesh& mesh) : m_(mesh) {}
 
-	/// Takes v out and closes the hole. False, and nothing changed: the polygon cannot be
-	/// triangulated, the new faces break the rules, topology forbids it (see canRemoveVertex), or
-	/// the ring has more than maxPlaces places.
+	/// Removes v and closes the hole. Returns false without a change if the polygon cannot be
+	/// triangulated, the new faces break the rules, the topology forbids the removal
+	/// (canRemoveVertex), or the ring has more than maxPlaces places.
 	bool remove(int v, const HoleRules& rules);
 
-	/// The star of the vertex removed last.
+	/// The star of the last removed vertex.
 	const VertexStar& star() const { return star_; }
 
-	/// Larger rings are left to collapses: the time of a hole grows with the square of its size.
+	/// Larger rings are left to collapses, as the time of a hole grows with the square of its size.
 	static constexpr int maxPlaces = 128;
 
 private:

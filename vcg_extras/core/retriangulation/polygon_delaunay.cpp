@@ -8,11 +8,11 @@ namespace gpr {
 
 namespace {
 
-/// Shares of the squared edges. Coordinates come from floats, with errors of 1e-7, whose squares
-/// are far below this; doubles err by 1e-16.
+/// Tolerances over squared edge lengths. Coordinates come from floats with errors of 1e-7, whose
+/// squares are far smaller; doubles have errors of 1e-16.
 constexpr double inLineTolerance   = 1e-9;
 constexpr double onCircleTolerance = 1e-9;
-/// Flips are at most this times the square of the edges; rounding could turn diagonals for ever.
+/// Most flips over the square of the number of edges; rounding could flip a diagonal for ever.
 constexpr int maxFlipsFactor = 4;
 
 Vec2d minus(const Vec2d& a, const Vec2d& b)
@@ -28,7 +28,7 @@ double dot(const Vec2d& a, const Vec2d& b)
 	return a.x * b.x + a.y * b.y;
 }
 
-/// What was joined to edge x of the patch now lies beyond edge y.
+/// Links edge y of the patch to `beyond`, the edge on its other side.
 void hand(HolePatch& patch, int beyond, int y)
 {
 	patch.across[y] = beyond;
@@ -91,7 +91,7 @@ double PolygonDelaunay::turn(int i, int j, int k) const
 
 void PolygonDelaunay::classify(int i)
 {
-	// Written so that NaN is reflex, too: no ear is then found, and nothing is made of it.
+	// NaN counts as reflex too: then no ear is found, and the triangulation fails.
 	corner_[i].isReflex = !(turn(corner_[i].before, i, corner_[i].after) > inLine_);
 }
 
@@ -104,8 +104,8 @@ bool PolygonDelaunay::isForbidden(int i, int j) const
 	return false;
 }
 
-/// Whether the triangle at corner i lies within what is left of the polygon. Only reflex corners
-/// can lie in it.
+/// Whether the triangle at corner i lies within the rest of the polygon. Only reflex corners can
+/// lie in the triangle.
 bool PolygonDelaunay::isEar(int i) const
 {
 	const int a = corner_[i].before, b = corner_[i].after;
@@ -115,7 +115,7 @@ bool PolygonDelaunay::isEar(int i) const
 		if (!corner_[k].isReflex) continue;
 		if (turn(a, i, k) >= 0 && turn(i, b, k) >= 0 && turn(b, a, k) >= 0) return false;
 	}
-	// With three corners left their edges are there already.
+	// The last three corners have all their edges already.
 	return end == b || !isForbidden(a, b);
 }
 
@@ -130,11 +130,12 @@ void PolygonDelaunay::cutEar(int i, HolePatch& patch)
 	corner_[a].beyond = x + 2;
 	corner_[a].after  = b;
 	corner_[b].before = a;
-	// The third edge of the last triangle is what remains of the polygon.
+	// The third edge of the last triangle is the rest of the polygon.
 	if (corner_[b].after == a) hand(patch, corner_[b].beyond, x + 2);
 }
 
-/// Every corner in turn, so that ears come from all sides; gives up after a turn without one.
+/// Tries the corners in turn, so that ears come from all sides; gives up after a turn without an
+/// ear.
 bool PolygonDelaunay::cutEars(HolePatch& patch)
 {
 	int i = 0, tried = 0;
@@ -151,13 +152,13 @@ bool PolygonDelaunay::cutEars(HolePatch& patch)
 		classify(after);
 		tried = 0;
 		--left;
-		// Not the neighbour next, or a fan would come of it.
+		// Skips a neighbour: otherwise the ears would make a fan.
 		i = corner_[after].after;
 	}
 	return true;
 }
 
-/// By the sum of the angles opposite diagonal x: at most 180°.
+/// Whether the sum of the two angles opposite diagonal x is at most 180°.
 bool PolygonDelaunay::isDelaunay(const HolePatch& patch, int x) const
 {
 	const int    y = patch.across[x];

@@ -15,33 +15,33 @@ struct Vec2d {
 	double x = 0, y = 0;
 };
 
-/// Constrained Delaunay triangulation of a small polygon: its edges are the constraints, no point
-/// is added. Keeps its working memory from call to call.
+/// Constrained Delaunay triangulation of a small polygon. The edges of the polygon are the
+/// constraints; no point is added. Keeps its working memory between calls.
 ///
-/// Method: ears are cut off (Meisters 1975), then diagonals flipped until each is locally Delaunay
-/// (Lawson 1977; Lee & Lin 1986 for the constrained case). Works in double; three points count as
-/// in line where twice their area is below 1e-9 of the squared length of the longest edge, four as
-/// on a circle where the sine of the sum of opposite angles is below 1e-9.
+/// Method: cuts ears off (Meisters 1975), then flips diagonals until each is locally Delaunay
+/// (Lawson 1977; Lee & Lin 1986 for the constrained case). Works in double. Three points count as
+/// collinear if twice their area is below 1e-9 of the squared longest edge; four points count as on
+/// a circle if the sine of the sum of opposite angles is below 1e-9.
 class PolygonDelaunay {
 public:
 	/// Pairs of corners that no diagonal may join; kept until changed.
 	std::vector<std::pair<int, int>> forbidden;
 
-	/// Triangulates the polygon, corners counter-clockwise, into patch. False if there is no way to
-	/// go on that the tolerance and the forbidden diagonals allow, as where the polygon is not
-	/// simple. Cost: quadratic in the number of corners at worst, for ears; flips are few.
+	/// Triangulates a polygon with counter-clockwise corners into `patch`. Returns false if
+	/// tolerance and forbidden diagonals leave no way, as for a polygon that is not simple. Cost:
+	/// for ears at worst quadratic in the number of corners; flips are few.
 	bool triangulate(const std::vector<Vec2d>& polygon, HolePatch& patch);
 
 private:
-	/// The rest of the polygon while ears are cut off: a ring of corners.
+	/// A corner of the polygon's rest after some ears were cut off; the corners form a ring.
 	struct Corner {
 		int  before, after;
-		int  beyond; ///< of the edge to the next corner: as in HolePatch::across
+		int  beyond; ///< beyond the edge to the next corner: as in HolePatch::across
 		bool isReflex;
 	};
 
 	const Vec2d*        p_      = nullptr;
-	double              inLine_ = 0; ///< twice the area below which three points are in line
+	double              inLine_ = 0; ///< twice the area below which three points are collinear
 	std::vector<Corner> corner_;
 
 	void   begin(const std::vector<Vec2d>& polygon);

@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-/// Curve and arc length of those of the vertices that lie on a curve.
+/// Curve and arc length of each vertex on a curve; -1 for the other vertices.
 std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves&   boundary,
 															const std::vector<int>& vertices)
 {
@@ -28,7 +28,7 @@ std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves
 	return place;
 }
 
-/// A sample, with its curve if it is one of the border's.
+/// A sample, with its curve if the sample is on the border.
 ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& boundary)
 {
 	ResultVertex r;

@@ -11,17 +11,17 @@
 
 namespace gpr {
 
-/// What a removal of the input's vertices ends with, in the numbering it began with.
+/// The mesh after the removal of input vertices, in the numbering of the start.
 struct Retriangulated {
-	HalfEdgeMesh     mesh;          ///< dead faces and vertices among the living ones
-	std::vector<int> sampleVertex;  ///< per sample: the vertex that is or stands for it; -1: none
-	std::vector<int> leftover;      ///< vertices that had to stay though no sample is there
-	std::vector<int> surfaceVertex; ///< per vertex: the surface's; empty: they are numbered alike
+	HalfEdgeMesh     mesh;          ///< with dead faces and vertices
+	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
+	std::vector<int> leftover;      ///< vertices that had to stay without a sample
+	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; empty: same numbers
 };
 
-/// The vertices that are left become the result, each at its sample's place; those left over stay
-/// where they were. Samples of the border keep their curve, leftovers on the border find theirs.
-/// Cost: linear, parallel.
+/// Makes a result of the remaining vertices. Moves each to its sample; leftover vertices stay in
+/// place. Border samples keep their curve; the curve of leftover vertices on the border is looked
+/// up. Cost: linear, parallel.
 ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 						   const Sampling& sampling, const BoundaryCurves& boundary,
 						   Workers& workers);

@@ -16,10 +16,10 @@ namespace gpr {
 
 namespace {
 
-/// What a pass of the removal accepts.
+/// The rules of a pass.
 struct PassRules {
 	bool  sameLabelOnly;
-	float minCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
+	float minCosine; ///< of a new face's normal with the ring's mean normal; -2 = any
 	int   tries;     ///< targets tried per vertex, best first
 };
 
@@ -29,20 +29,20 @@ constexpr PassRules passRules[] = {
 };
 
 constexpr float noScore = -2;
-/// Width of the cubes of space that are worked on at once, in r.
+/// Width of the cubes of space in which threads work, in r.
 constexpr float workWidth = 20;
 
-/// Removes vertices of one connectivity; each thread has one of its own.
+/// Removes vertices of a mesh; every thread has an object of its own.
 class Remover {
 public:
-	/// label: per vertex, the cell it belongs to; only read by passes that ask for it.
+	/// label: per vertex, its Voronoi cell; read only by passes with sameLabelOnly.
 	Remover(HalfEdgeMesh& mesh, const std::vector<int>& label, float longestEdge) :
 			m_(mesh), label_(label), longestSquared_(longestEdge * longestEdge)
 	{
 	}
 
-	/// Tries to merge v into a neighbour, if the cell, where there is one, reaches all of them.
-	/// False: v stays for now.
+	/// Tries to merge v into a neighbour, if all neighbours are within reach of the grid cell (or
+	/// `cell` is null). Returns false if v stays for now.
 	bool remove(int v, const PassRules& rules, const GridCell* cell)
 	{
 		if (cell != nullptr && !reachesRing(*cell, v)) return false;
@@ -92,7 +92,7 @@ private:
 		return false;
 	}
 
-	/// Fills ring_; returns the mean normal.
+	/// Fills ring_ and returns the mean normal.
 	Vec3f collectRing(int v)
 	{
 		ring_.clear();
@@ -115,7 +115,7 @@ private:
 		}
 	}
 
-	/// The worst shape among the triangles that moving v to t would leave.
+	/// The worst shape of the triangles after a move of v to t.
 	float scoreOf(const Spoke& t, const Vec3f& normal, float minCosine) const
 	{
 		float worst = 1;
@@ -134,7 +134,8 @@ private:
 		return worst;
 	}
 
-	/// Into one of the two neighbours on the feature line, the better one first.
+	/// Merges v into one of the two neighbours on the feature line; tries the better neighbour
+	/// first.
 	bool removeOnCrease(int v, const PassRules& rules)
 	{
 		struct Way {
@@ -156,8 +157,8 @@ private:
 		return false;
 	}
 
-	/// The worst shape that merging origin(h) into target(h) would leave. Each face is held against
-	/// itself: the two sides of a crease have no normal in common.
+	/// The worst shape after origin(h) is merged into target(h). Normals are compared face by face,
+	/// as the two sides of a crease have no common normal.
 	float scoreOnCrease(int h, const PassRules& rules) const
 	{
 		const int v = m_.origin[h], b = m_.target(h);
@@ -215,7 +216,7 @@ private:
 	}
 };
 
-/// Runs one pass over the vertices still to be removed, work cell by work cell.
+/// Runs a pass over the vertices still to be removed, grid cell by grid cell.
 void runPass(const ColouredGrid& cells, const PassRules& rules, std::vector<Remover>& removers,
 			 std::vector<char>& isThere, Workers& workers)
 {
@@ -230,8 +231,8 @@ void runPass(const ColouredGrid& cells, const PassRules& rules, std::vector<Remo
 	}
 }
 
-/// What the blocks left, in one go, without the bound on edges. Passes that need labels are left
-/// out where there are none.
+/// Removes the remaining vertices serially, without a bound on edges. Without labels, passes with
+/// sameLabelOnly are skipped.
 void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
 				Workers& workers)
 {

@@ -10,28 +10,26 @@
 
 namespace gpr {
 
-/// Stage::Retriangulation (paper §3, last paragraph): by the samples' cells.
+/// Stage::Retriangulation (paper §3, last paragraph), by Voronoi cells.
 ///
-/// Differs from the paper, whose samples are fused into the mesh by edge splits and whose holes are
-/// closed in a local parametrization: here the vertices of each Voronoi cell are merged until one
-/// is left, which takes the sample's place. For most cells that is done in one step (see
-/// voronoi_dual.h). In cells where that could harm the topology one vertex stands for the
-/// sample, and every other one is merged into a neighbour of the same cell, the one that leaves the
-/// best worst triangle. Later passes allow any cell, then any geometry, so that only what the
-/// topology needs is left over. Border vertices move along their border only. Topology is kept by
-/// construction (see mesh_edit.h).
+/// Differs from the paper, which fuses the samples into the mesh by edge splits and closes holes in
+/// a local parametrization. Here the vertices of each Voronoi cell are merged into a single vertex
+/// at the place of the sample, for most cells in one step (voronoi_dual.h). In cells with a risk
+/// for the topology a vertex represents the sample; every other vertex is merged into the neighbour
+/// of the same cell that gives the best worst triangle. Later passes allow neighbours of any cell,
+/// then any geometry, so that only vertices stay that the topology needs. Border vertices move
+/// along their border only. Each edit keeps the topology (mesh_edit.h).
 ///
-/// input: components, boundary loops and Euler characteristic of the surface.
-/// Works in cubes of space; what reaches out of them is done in the end, serially.
-/// Cost: some passes over the faces; a collapse for each vertex of the cells left open, 2 M/s a
-/// core.
+/// input: components, border loops and Euler characteristic of the surface. Works in cubes of
+/// space; vertices with neighbours out of reach come last, serially. Cost: some passes over the
+/// faces, and a collapse for each vertex of an open cell, 2 M/s a core.
 ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 						  const BoundaryCurves& boundary, const MeshFigures& input,
 						  Workers& workers);
 
-/// Collapses what another removal had to leave: each of the vertices is merged into whichever
-/// neighbour leaves the best worst triangle, under looser and looser geometry. rest keeps those
-/// that the topology needs. Cost: a few vertices, serially.
+/// Collapses the vertices that a removal left in `rest`: merges each vertex into the neighbour that
+/// gives the best worst triangle, under ever looser geometry. Vertices that the topology needs
+/// remain in `rest`. Cost: a few vertices, serial.
 void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers);
 
 } // namespace gpr

@@ -17,9 +17,9 @@ namespace gpr {
 
 namespace {
 
-/// Times that cells found bad are opened and the rest contracted anew.
+/// Times that bad cells are opened and the rest is contracted anew.
 constexpr int maxRounds = 8;
-/// Times that opening cells may spoil others in one round.
+/// Times per round that newly opened cells may spoil other cells.
 constexpr int maxSpreads = 32;
 
 using Triple = std::array<int, 3>;
@@ -35,7 +35,7 @@ void addRelaxed(int& place, int value)
 	__atomic_fetch_add(&place, value, __ATOMIC_RELAXED);
 }
 
-/// The vertices from `first` on that stand for no sample.
+/// Lists the vertices from `first` on that represent no sample.
 void listTodo(int first, VoronoiDual& cells)
 {
 	std::vector<char> stays(cells.label.size(), 0);
@@ -57,7 +57,7 @@ public:
 	{
 	}
 
-	/// False: the cells are better left open, all of them.
+	/// Returns false if all cells are better left open.
 	bool run(const MeshFigures& input, VoronoiDual& out)
 	{
 		takeOverLabels();
@@ -81,13 +81,13 @@ private:
 	const BoundaryCurves& boundary_;
 	Workers&              workers_;
 	int                   sampleNum_;
-	Buffer<int>           label_;        ///< per vertex of the surface: its cell's sample
+	Buffer<int>           label_;        ///< per vertex of the surface: the sample of its cell
 	Buffer<char>          owns_;         ///< per sample: whether it has a vertex
 	Buffer<int>           cellOrder_;    ///< samples with a cell, in the order of the surface
-	Buffer<Triple>        dualFaces_;    ///< three samples each
-	std::vector<char>     open_;         ///< per sample: its cell is not contracted
-	std::vector<char>     bad_;          ///< found to be bad, not yet open
-	std::vector<int>      openVertices_; ///< the surface's vertices in open cells, ascending
+	Buffer<Triple>        dualFaces_;    ///< three samples a face
+	std::vector<char>     open_;         ///< per sample: its cell is left open
+	std::vector<char>     bad_;          ///< per sample: its cell is bad and not yet open
+	std::vector<int>      openVertices_; ///< vertices of the surface in open cells, ascending
 
 	int labelOf(int v) const { return label_[v]; }
 
@@ -105,10 +105,10 @@ private:
 		});
 	}
 
-	/// The faces of the samples are in the order of space, and so will be the vertices.
+	/// Orders cells by the faces of their samples. Faces are in spatial order, hence also vertices.
 	void orderCells()
 	{
-		constexpr int facesTogether = 8; // less than one sample's in most
+		constexpr int facesTogether = 8; // the face of at most one sample in most buckets
 		const auto    faceOf        = [&](int s) { return sampling_.samples[s].point.face; };
 		const auto    bucketOf      = [&](std::size_t s) {
             return owns_[s] ? faceOf(int(s)) / facesTogether : -1;
@@ -123,9 +123,9 @@ private:
 		});
 	}
 
-	/// By two times vertices - edges + faces of every cell. Edges are counted by their halves: a
-	/// face with all corners in the cell brings two for itself less three halves; one with two
-	/// corners there brings half an edge; an edge of the border has its second half nowhere.
+	/// Marks cells with 2·(vertices - edges + faces) ≠ 2. Half-edges count: a face with three
+	/// corners in the cell adds 2 - 3 = -1; a face with two corners in the cell adds -1 for half of
+	/// an edge; a border edge lacks its second half, which its vertex adds.
 	void markCellsThatAreNoDisks()
 	{
 		Buffer<int> euler(sampleNum_, 0);
@@ -146,8 +146,8 @@ private:
 			bad_[s] = euler[s] != 2;
 	}
 
-	/// Most cells that are no disks have lost touch with a few of their vertices, which later
-	/// samples cut off. Those go to cells next to them.
+	/// Gives cut-off vertices to neighbouring cells. Most cells that are no disks have a few
+	/// vertices that later samples cut off from the rest.
 	void giveAwayCutOff()
 	{
 		const std::vector<int> inBad = verticesOf(bad_);
@@ -177,8 +177,8 @@ private:
 		});
 	}
 
-	/// What visit(cell, found) appends for each of the cells of these vertices, whose vertices it
-	/// is given in ascending order.
+	/// Collects the entries that visit(cell, found) appends for each cell of the given vertices;
+	/// `cell` has the vertices of a cell, ascending.
 	template <class Visit>
 	std::vector<int> collectByCell(const std::vector<int>& vertices, const Visit& visit) const
 	{
@@ -204,8 +204,8 @@ private:
 									 });
 	}
 
-	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
-	/// Vertices of curves keep theirs.
+	/// Removes the label of vertices without a path in their cell to the vertex nearest to the
+	/// sample. Vertices of curves keep their label.
 	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
 	{
 		cutOff = collectByCell(vertices, [&](const std::vector<int>& cell,
@@ -215,7 +215,7 @@ private:
 			label_[v] = -1;
 	}
 
-	/// Those of one cell, whose vertices are given in ascending order.
+	/// Appends the cut-off vertices of a cell; `cell` has its vertices, ascending.
 	void addCutOff(const std::vector<int>& cell, std::vector<int>& cutOff) const
 	{
 		const auto isFarther = [&](int v, int w) {
@@ -246,7 +246,7 @@ private:
 		}
 	}
 
-	/// The nearest of the samples whose cells lie round v; -1 if there is none.
+	/// The nearest sample with a cell at v's neighbours; -1 if no neighbour has a cell.
 	int nearestAmongNeighbours(int v) const
 	{
 		int   best     = -1;
@@ -263,8 +263,9 @@ private:
 		return best;
 	}
 
-	/// The same test for some cells only, from all their vertices: six times vertices - edges +
-	/// faces, of which each of two, or three, vertices brings its share.
+	/// Repeats the test of markCellsThatAreNoDisks for some cells, given all their vertices. Sums
+	/// 6·(vertices - edges + faces): an edge adds -3 at each of two vertices, a face 2 at each of
+	/// three.
 	void recount(const std::vector<int>& vertices, const std::vector<char>& cells)
 	{
 		std::vector<int> euler(sampleNum_, 0);
@@ -282,7 +283,7 @@ private:
 		}
 	}
 
-	/// The faces between three cells.
+	/// Collects the faces with corners in three cells.
 	void findDualFaces()
 	{
 		dualFaces_ = workers_.collectMany<Triple>(
@@ -306,7 +307,7 @@ private:
 		});
 	}
 
-	/// A curve's sample is stood for by a vertex of its own cell, or must be looked after.
+	/// Marks cells of curve samples whose vertex lies in another cell.
 	void markStrayCurveSamples()
 	{
 		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
@@ -317,8 +318,8 @@ private:
 		}
 	}
 
-	/// Opens bad cells and those next to them that are spoilt by it. False if too many are open
-	/// then.
+	/// Opens bad cells and the neighbouring cells that this spoils. Returns false if too many cells
+	/// are open then.
 	bool openBadCells()
 	{
 		std::vector<char> fresh;
@@ -329,7 +330,8 @@ private:
 		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
 	}
 
-	/// Opens bad cells; fresh receives which. False if there is none that was not open.
+	/// Opens the bad cells and marks newly open cells in `fresh`. Returns false if no cell is newly
+	/// open.
 	bool openMarked(std::vector<char>& fresh)
 	{
 		bool any = false;
@@ -344,8 +346,8 @@ private:
 		return any;
 	}
 
-	/// A contracted cell that touches an open vertex in two places is no disk round one vertex any
-	/// more. Found here, at those next to cells just opened, it costs no contraction that fails.
+	/// Marks contracted cells that touch an open vertex in two places: such a cell makes no single
+	/// fan. The test of cells next to newly opened cells saves a contraction that would fail.
 	void markSpoiltBy(const std::vector<char>& fresh)
 	{
 		std::vector<char> isNear(sampleNum_, 0);
@@ -362,7 +364,7 @@ private:
 			bad_[s] = 1;
 	}
 
-	/// Whether the faces round a cell make one fan round the vertex it is contracted to.
+	/// Whether the faces round a cell make a single fan after the cell's contraction.
 	bool isFanWhenContracted(const std::vector<int>& cell) const
 	{
 		const int  own    = labelOf(cell.front());
@@ -377,7 +379,8 @@ private:
 		return isOneChain(link);
 	}
 
-	/// Whether directed edges make one path, or one cycle of at least three, with no node twice.
+	/// Whether directed edges make a path, or a cycle of at least three edges, through distinct
+	/// nodes.
 	static bool isOneChain(std::vector<std::pair<int, int>>& edges)
 	{
 		if (edges.empty()) return false;
@@ -407,7 +410,7 @@ private:
 	std::int64_t openCellNum() const { return std::count(open_.begin(), open_.end(), char(1)); }
 	bool         isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
 
-	/// Makes the mesh. False if it is not manifold; the cells to blame are marked as bad.
+	/// Makes the mesh. Returns false and marks the bad cells if the mesh is not manifold.
 	bool contract(VoronoiDual& out)
 	{
 		numberVertices(out);
@@ -433,7 +436,7 @@ private:
 		return false;
 	}
 
-	/// Contracted cells first, then the vertices of open ones.
+	/// Numbers the contracted cells first, then the vertices of open cells.
 	void numberVertices(VoronoiDual& out)
 	{
 		out.label.clear();
@@ -454,7 +457,8 @@ private:
 		chooseRepresentatives(out);
 	}
 
-	/// Of each open cell the vertex nearest to the sample stays; samples of curves have theirs.
+	/// Chooses the vertex of each open cell: the vertex nearest to the sample; curve samples have
+	/// theirs.
 	void chooseRepresentatives(VoronoiDual& out) const
 	{
 		const int firstOpen = int(out.label.size() - openVertices_.size());
@@ -479,8 +483,8 @@ private:
 				   openVertices_.begin());
 	}
 
-	/// The dual's faces between contracted cells, and those at open vertices whose corners are
-	/// different still.
+	/// Collects the dual faces between contracted cells, and the faces at open vertices with three
+	/// different vertices.
 	void collectFaces(const VoronoiDual& out, IndexedMesh& mesh) const
 	{
 		const auto isContracted = [&](const Triple& t) {
@@ -518,7 +522,8 @@ private:
 					const int v = openVertices_[i];
 					forEachOutgoing(m_, v, [&](int h) {
 						const int a = m_.target(h), b = m_.apex(h);
-						// A face is found from each of its open corners; the least one counts.
+						// Each open corner of a face finds the face; only the smallest corner
+						// counts.
 						if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
 						if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
 						found.push_back({firstOpen + int(i), vertexOf(a), vertexOf(b)});
@@ -527,7 +532,7 @@ private:
 			});
 	}
 
-	/// Both ends of a crease's edges are vertices of open cells.
+	/// Copies crease marks; both ends of a crease edge are vertices of open cells.
 	void carryCreases(VoronoiDual& out) const
 	{
 		if (!m_.hasCreases()) return;
@@ -549,8 +554,8 @@ private:
 		}
 	}
 
-	/// The border must run through the samples of the border and no others, and every inner vertex
-	/// needs three faces.
+	/// Marks cells with a wrong border. Exactly the border samples must lie on the border, and
+	/// every inner vertex needs three faces.
 	bool markWrongBorders(const VoronoiDual& out)
 	{
 		const std::vector<int> wrong = workers_.collectIf(out.mesh.vertexNum, [&](int v) {
@@ -579,7 +584,8 @@ private:
 	}
 };
 
-/// Nothing contracted: every vertex of the surface, the nearest of each cell to stand for it.
+/// The dual with all cells open: all vertices of the surface; the nearest vertex represents a
+/// sample.
 VoronoiDual openAll(const Surface& surface, const Sampling& sampling,
 					const BoundaryCurves& boundary, Workers& workers)
 {

@@ -11,28 +11,29 @@
 
 namespace gpr {
 
-/// The surface with most Voronoi cells drawn together to one vertex each. Cells that could not be
-/// are open: all their vertices are still there, but for one of each they are to be merged away.
+/// The surface after most Voronoi cells were contracted to a vertex each. The other cells are open:
+/// they have all their vertices, which are to be merged into a single vertex per cell.
 struct VoronoiDual {
 	HalfEdgeMesh     mesh;
-	std::vector<int> label;         ///< per vertex: the sample whose cell it is or belongs to
-	std::vector<int> surfaceVertex; ///< per vertex: the surface's vertex it is; -1: a whole cell
-	std::vector<int> sampleVertex;  ///< per sample: the vertex that is or stands for it; -1: none
+	std::vector<int> label;         ///< per vertex: the sample of its cell
+	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; -1: a whole cell
+	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
 	std::vector<int> todo;          ///< vertices to be merged away
 	std::int64_t     openCellNum = 0;
 };
 
-/// Stage::Retriangulation, first half: the dual of the Voronoi cells. A face whose corners lie in
-/// three cells becomes a triangle between their samples, every other face vanishes: what merging
-/// the vertices of each cell one by one would end with, in one pass over the faces.
+/// Stage::Retriangulation, first half: makes the dual of the Voronoi cells. A face with corners in
+/// three cells becomes a triangle of their samples; every other face vanishes. Merging the vertices
+/// of each cell one by one would give the same mesh; this takes a pass over the faces.
 ///
-/// That is a mesh of the same topology only where cells are disks that meet each other in one piece
-/// at most. A cell is a disk if its vertices, edges and faces have the Euler characteristic 1; a
-/// cell that meets its neighbours well has a single fan of at least three triangles, with no edge
-/// used twice in one direction. Cells that fail, those on feature lines, and the cells next to
-/// them are left open for the removal of vertices, which keeps the topology by construction. Where
-/// the mesh that comes out has not the components, boundary loops and Euler characteristic of
-/// `input`, or more than half of the cells would be open, all are.
+/// The dual has the topology of the surface only if cells are disks and two cells meet in at most
+/// one piece. A cell is a disk if the Euler characteristic of its vertices, edges and faces is 1. A
+/// cell meets its neighbours well if its vertex has a single fan of at least three triangles, with
+/// no edge used twice in the same direction. Other cells and cells on feature lines are left open
+/// for removeVertices, which keeps the topology by construction; so are their neighbours that would
+/// touch an open vertex in two places. All cells are left open if the mesh differs from `input` in
+/// components, border loops or Euler characteristic, or if more than half of the cells would be
+/// open.
 /// Cost: some passes over the faces, parallel; ten times cheaper than collapses.
 VoronoiDual makeVoronoiDual(const Surface& surface, const Sampling& sampling,
 							const BoundaryCurves& boundary, const MeshFigures& input,

@@ -8,7 +8,7 @@
 
 namespace gpr::app {
 
-/// What the program's exit code says; --help prints this list.
+/// The exit codes of the program; --help prints this list.
 enum class ExitCode {
 	Done          = 0,
 	Failure       = 1, ///< anything not listed below: no memory, output not writable, ...
@@ -18,7 +18,7 @@ enum class ExitCode {
 	Stopped       = 5, ///< cancelled by a signal, or out of time
 };
 
-/// A failure that ends the program: its exit code and the sentence that the user reads.
+/// A failure that ends the program: the exit code and the sentence for the user.
 class AppError : public std::runtime_error {
 public:
 	AppError(ExitCode exitCode, const std::string& sentence) :
@@ -29,7 +29,7 @@ public:
 	ExitCode code;
 };
 
-/// An input that cannot be read or used.
+/// Ends the program for an input that cannot be read or used.
 [[noreturn]] inline void failInput(const std::string& sentence)
 {
 	throw AppError(ExitCode::BadInput, sentence);

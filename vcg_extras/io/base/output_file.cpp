@@ -22,7 +22,7 @@ namespace {
 	throw AppError(ExitCode::Failure, "cannot write '" + path + "': " + why);
 }
 
-/// Where a path leads to after all links, so that a link is not replaced by a file.
+/// The target of a path after all links, so that no file replaces a link.
 std::string withoutLinks(const std::string& path)
 {
 	std::error_code error;

@@ -16,11 +16,11 @@
 
 namespace gpr::app {
 
-/// A file that appears whole or not at all: it is written under a temporary name beside the wanted
-/// one and renamed by commit(); without that the temporary is removed and an older file stays.
-/// A link is followed, the permissions of an older file are kept; a device or pipe is written to
-/// directly. Throws AppError (Failure) with a sentence when writing fails, AppError (Stopped) when
-/// the run has to end, which is asked at every megabyte.
+/// A file that appears whole or not at all. The file is written under a temporary name beside the
+/// wanted name and renamed by commit(); without commit() the temporary file is removed and an older
+/// file stays. Links are followed, and the permissions of an older file are kept; a device or pipe
+/// is written directly. Throws AppError (Failure) with a sentence if writing fails, and AppError
+/// (Stopped) if the run has to end, which is tested at every megabyte.
 class OutputFile {
 public:
 	explicit OutputFile(const std::string& path, const RunLimit& limit = RunLimit());
@@ -41,7 +41,8 @@ public:
 	}
 	void text(std::string_view words) { bytes(words.data(), words.size()); }
 	void integer(std::int64_t value);
-	/// " x y z" with the fewest digits that give back the same double or float, in the C locale.
+	/// " x y z" with the fewest digits from which the same double or float can be read, in the C
+	/// locale.
 	void position(const Vec3d& p, bool doublePrecision);
 
 	/// For who works long before there is a megabyte: throws when the run has to end.
@@ -52,8 +53,8 @@ public:
 private:
 	static constexpr std::size_t capacity = 1 << 20;
 
-	std::string       wanted_;    ///< for sentences: as the user gave it
-	std::string       target_;    ///< where the file shall be, links followed
+	std::string       wanted_;    ///< for sentences: as the user gave the path
+	std::string       target_;    ///< the place of the file, links followed
 	std::string       temporary_; ///< empty when writing directly
 	RunLimit          limit_;
 	std::FILE*        file_ = nullptr;

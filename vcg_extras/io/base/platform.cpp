@@ -82,14 +82,15 @@ char** environment()
 #endif
 }
 
-/// Reads the pages of a mapping at once, where the system can.
+/// Reads the pages of a mapping at once, on systems with MAP_POPULATE.
 #ifdef MAP_POPULATE
 constexpr int mapAtOnce = MAP_POPULATE;
 #else
 constexpr int mapAtOnce = 0;
 #endif
 
-/// Starts a program in a process group of its own, so that all it starts can be ended with it.
+/// Starts a program in a process group of its own, so that the program and all its children can be
+/// ended together.
 bool startProgram(const std::vector<std::string>& words, pid_t& process)
 {
 	std::vector<char*> arguments;
@@ -153,7 +154,7 @@ bool errorIsTerminal()
 
 std::int64_t peakMemoryBytes()
 {
-	// getrusage would do, but after exec it still counts the program that started this one.
+	// getrusage still counts the parent program after exec, so the file is read instead.
 	std::ifstream status("/proc/self/status");
 	std::string   word;
 	while (status >> word) {

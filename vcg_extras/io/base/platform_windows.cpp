@@ -24,7 +24,7 @@ volatile std::sig_atomic_t stopFlag = 0;
 
 extern "C" void noteStop(int)
 {
-	stopFlag = 1; // Windows has put the default back, so that a second signal ends the program
+	stopFlag = 1; // Windows has restored the default, so that a second signal ends the program
 }
 
 [[noreturn]] void failToRead()

@@ -12,14 +12,14 @@ class RunLimit {
 public:
 	/// No limit but signals.
 	RunLimit() = default;
-	/// seconds: since the clock's start; 0 = as long as it takes.
+	/// seconds: since the clock's start; 0 = no limit.
 	RunLimit(const Stopwatch& clock, double seconds) : clock_(clock), seconds_(seconds) {}
 
-	/// Why the run has to end, as a sentence; null while it may go on.
+	/// The reason why the run has to end, as a sentence; null while the run may go on.
 	const char* reason() const;
-	/// Throws AppError (Stopped) with the reason, if there is one.
+	/// Throws AppError (Stopped) with the reason, if any.
 	void check() const;
-	/// What is left for the engine, more than 0; 0 = as long as it takes.
+	/// Time left for the engine, more than 0; 0 = no limit.
 	double secondsLeft() const;
 
 private:

@@ -7,7 +7,7 @@
 
 namespace gpr::app {
 
-/// Wall time since it was made, plus what had passed before that.
+/// Wall time since construction, plus the time passed before.
 class Stopwatch {
 public:
 	explicit Stopwatch(double secondsBefore = 0) : before_(secondsBefore) {}
@@ -23,7 +23,7 @@ private:
 	std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Where the program's time went: the three parts make up the total.
+/// The parts of the program's time: the three parts make up the total.
 struct RunTimes {
 	double read   = 0; ///< from the program's start to the mesh in memory
 	double remesh = 0; ///< the engine, from mesh in memory to mesh in memory

@@ -14,8 +14,9 @@ namespace gpr::app {
 
 namespace {
 
-/// Finds the first of all corners at one place. A table with open addressing that threads fill side
-/// by side: a place's number only falls, so that the outcome does not depend on who comes first.
+/// Finds the first of all corners at the same place. A table with open addressing that threads fill
+/// side by side: the number of a place only falls, so the outcome does not depend on the order of
+/// the threads.
 class FirstCorners {
 public:
 	FirstCorners(const StlFacets& facets, Workers& workers) :

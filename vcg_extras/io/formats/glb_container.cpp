@@ -38,7 +38,7 @@ std::string_view takeChunk(std::string_view& file, std::uint32_t& kind)
 
 GltfJson parsed(std::string_view text)
 {
-	constexpr int mostDeep  = 100; // what works on parts of it calls itself for each level
+	constexpr int mostDeep  = 100; // functions on parts of the JSON call themselves for each level
 	bool          isTooDeep = false;
 	const auto    look      = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
         isTooDeep = isTooDeep || depth > mostDeep;
@@ -77,7 +77,7 @@ std::size_t bytesOf(std::int64_t componentType)
 	}
 }
 
-/// A whole number as a share of the largest one of its kind.
+/// A whole number as a share of the largest number of its kind.
 double normalized(double value, std::int64_t componentType)
 {
 	switch (componentType) {
@@ -176,7 +176,7 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 	const std::size_t packed = componentBytes_ * std::size_t(componentNum_);
 	const auto stride = std::uint64_t(countOf(listOf(glb.json, "bufferViews")[std::size_t(view)],
 											  "byteStride", std::int64_t(packed)));
-	// Each row has at least a byte of its own, so that the products below stay small.
+	// Each row has at least a byte of its own, so the products below stay small.
 	if (stride < packed || stride > 252 || offset > bytes_.size() || rows > bytes_.size())
 		failInput("an accessor goes beyond its buffer view");
 	bytes_.remove_prefix(std::size_t(offset));

@@ -9,7 +9,7 @@
 #include <string_view>
 
 // The container of binary glTF 2.0 (Khronos, ISO/IEC 12113:2022): chunks, and typed rows of bytes.
-// Nothing that a file says is believed: every index and length is checked.
+// Nothing in a file is trusted: every index and length is checked.
 
 namespace gpr::app {
 
@@ -34,18 +34,19 @@ enum Mode : std::int64_t { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 /// A file taken apart.
 struct GlbChunks {
 	GltfJson         json;
-	std::string_view binary; ///< empty where there is none
+	std::string_view binary; ///< empty without a binary chunk
 };
 
-/// Throws AppError (BadInput) for what is no such file, is cut off, or is of another version.
+/// Throws AppError (BadInput) for a file of another kind or version, or a cut-off file.
 GlbChunks glbChunksOf(std::string_view file);
 
-/// The array of an object with this name; an empty one where there is none.
+/// The array of an object with this name; an empty array if missing.
 const GltfJson& listOf(const GltfJson& object, const char* name);
-/// A whole number of at least 0, or the fallback where there is none. Throws AppError (BadInput)
-/// for any other value.
+/// A whole number of at least 0, or the fallback if missing. Throws AppError (BadInput) for any
+/// other value.
 std::int64_t countOf(const GltfJson& object, const char* name, std::int64_t fallback);
-/// The entry of a list. Throws AppError (BadInput) where there is none, naming it by `what`.
+/// The entry of a list. Throws AppError (BadInput) for a missing entry; the sentence names the
+/// entry by `what`.
 const GltfJson& entryOf(const GltfJson& list, std::int64_t index, const char* what);
 
 /// The bytes of a buffer view.
@@ -54,15 +55,15 @@ std::string_view bufferViewOf(const GlbChunks& glb, std::int64_t index);
 /// Rows of numbers: an accessor.
 class GltfRows {
 public:
-	/// Throws AppError (BadInput) where the rows do not lie in the file, are sparse, or are no
-	/// numbers of that many components; 0 takes any.
+	/// Throws AppError (BadInput) for rows outside the file, sparse rows, or rows with another
+	/// number of components; 0 takes any number.
 	GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedComponents);
 
 	std::size_t rowNum() const { return rowNum_; }
 	int         componentNum() const { return componentNum_; }
-	/// Whole numbers that stand for 0 to 1, or -1 to 1, are given so.
+	/// Whole numbers for 0 to 1, or -1 to 1, are returned in these ranges.
 	double number(std::size_t row, int component) const;
-	/// Of whole numbers without sign; throws AppError (BadInput) for others.
+	/// Of whole numbers without sign; throws AppError (BadInput) for other types.
 	std::int64_t index(std::size_t row) const;
 
 private:

@@ -36,7 +36,7 @@ struct Transform {
 	bool   isMirror() const { return determinant() < 0; }
 	bool   isNone() const { return m == Transform().m; }
 
-	/// A unit normal of the surface that is mapped.
+	/// The mapped unit normal of a surface.
 	Vec3d normal(const Vec3d& n) const
 	{
 		const double sign = isMirror() ? -1 : 1;
@@ -46,7 +46,7 @@ struct Transform {
 		return len > 0 ? turned * (1 / len) : turned;
 	}
 
-	/// This one after the other.
+	/// This transform after the first transform.
 	Transform after(const Transform& first) const
 	{
 		Transform both;
@@ -62,7 +62,7 @@ struct Transform {
 	}
 };
 
-/// The numbers of a list of that length, or false where there is no such list.
+/// The numbers of a list of this length; false for a missing list.
 template <std::size_t length>
 bool readNumbers(const GltfJson& node, const char* name, std::array<double, length>& numbers)
 {
@@ -114,7 +114,7 @@ Transform transformOf(const GltfJson& node)
 	return isMoved || isTurned || isScaled ? transformOf(move, turn, scale) : Transform();
 }
 
-/// Extensions that may be required: they concern materials and images, or kinds of numbers that
+/// Extensions that may be required: extensions for materials and images, and kinds of numbers that
 /// are read.
 bool isHarmless(const std::string& extension)
 {
@@ -173,7 +173,7 @@ public:
 	}
 
 private:
-	/// Attributes of vertices, as the file names them.
+	/// Attributes of vertices, by their names in the file.
 	struct Values {
 		std::vector<double> numbers; ///< so many a vertex
 		bool                isThere = false, isMissingSomewhere = false;
@@ -193,7 +193,7 @@ private:
 	std::vector<Waiting>    waiting_;
 	std::int64_t            otherPrimitiveNum_ = 0;
 	bool                    isMoved_ = false, hasLost_ = false, lacksMaterial_ = false;
-	/// Where the vertices of a node's primitives begin that share all data.
+	/// The first vertices of a node's primitives with all data in common.
 	std::map<std::string, std::size_t> firstVertex_;
 
 	void readNodes(const GltfJson& children, const Transform& parent)
@@ -344,7 +344,7 @@ private:
 					 c      = corners[i + 2];
 		const bool isStrip  = mode == gltf::TriangleStrip;
 		const bool isTurned = isMirror != (isStrip && i % 2 == 1);
-		if (isStrip && (a == b || b == c || c == a)) return; // it only steers the strip
+		if (isStrip && (a == b || b == c || c == a)) return; // the face only steers the strip
 		if (isTurned) std::swap(b, c);
 		if (triangles_.size() / 3 >= std::size_t(INT32_MAX)) failInput("it has too many faces");
 		for (const std::int32_t corner : {a, b, c})

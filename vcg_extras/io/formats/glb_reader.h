@@ -9,12 +9,12 @@
 
 namespace gpr::app {
 
-/// Reads the triangles of a binary glTF file's scene as one mesh, each where its node puts it; with
-/// attributes if wanted: the first texture coordinates, the first colours, normals, and materials.
-/// Coordinates are floats, or doubles where a node has moved them so far that floats would not
-/// resolve the mesh. Texture coordinates count from the lower left corner, as in the other formats.
-/// Points and lines are left out, with a note. Throws AppError (BadInput) on anything malformed,
-/// and for compression, morph targets, sparse data and data in other files.
+/// Reads the triangles of a binary glTF file's scene as one mesh, each at the place of its node;
+/// with attributes if wanted: the first texture coordinates, the first colours, normals, and
+/// materials. Coordinates are floats, or doubles if a node has moved the mesh so far that floats
+/// would not resolve the mesh. Texture coordinates count from the lower left corner, as in the
+/// other formats. Points and lines are left out, with a note. Throws AppError (BadInput) on
+/// anything malformed, and for compression, morph targets, sparse data and data in other files.
 InputMesh readGlb(std::string_view file, const WantedAttributes& wanted);
 /// With all attributes.
 InputMesh readGlb(std::string_view file);

@@ -20,7 +20,7 @@ namespace {
 
 using Columns = std::vector<const ValueColumn*>;
 
-/// The columns with these names, or none where one is missing.
+/// The columns with these names; none if a column is missing.
 Columns columnsOf(const MeshAttributes& a, const std::vector<const char*>& names)
 {
 	Columns columns;
@@ -31,7 +31,7 @@ Columns columnsOf(const MeshAttributes& a, const std::vector<const char*>& names
 	return columns;
 }
 
-/// The vertices of the file: each of the mesh's, as often as it has texture coordinates.
+/// The vertices of the file: each vertex of the mesh, once for each of its texture coordinates.
 struct FileVertices {
 	std::vector<std::int32_t>         vertex; ///< of the mesh
 	std::vector<std::array<float, 2>> uv;     ///< empty without a texture
@@ -76,7 +76,7 @@ public:
 		binary.append(raw, sizeof value);
 	}
 
-	/// What was put since `begin` becomes a buffer view; returns its number.
+	/// Makes the bytes since `begin` a buffer view; returns the number of the view.
 	std::size_t endView(std::size_t begin)
 	{
 		json["bufferViews"].push_back(
@@ -157,7 +157,7 @@ private:
 		attributes_["POSITION"]                   = accessor;
 	}
 
-	/// glTF wants unit vectors; one that has no direction points upwards.
+	/// glTF wants unit vectors; a vector without direction points upwards.
 	void putNormals(const FileVertices& vertices, const Columns& columns)
 	{
 		const std::size_t begin = parts_.binary.size();
@@ -236,7 +236,7 @@ private:
 				{{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
 	}
 
-	/// One material for each file of an image.
+	/// A material for each file of an image.
 	void putImages()
 	{
 		for (std::size_t i = 0; i < a_.images.size(); ++i) {

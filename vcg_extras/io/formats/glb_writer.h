@@ -13,11 +13,10 @@
 namespace gpr::app {
 
 /// Writes a binary glTF 2.0 file of one mesh, with texture coordinates, colours and normals of the
-/// vertices, and materials, as far as there are any; names the rest. glTF has one texture
-/// coordinate for each vertex, so that vertices along seams are written more than once. The
-/// materials of a glTF file that was read are written as they were, with the images that it holds;
-/// images and materials of other files by their names. The format holds floats only. Throws
-/// AppError (Failure) for more than 4 GB.
+/// vertices, and materials, if any; names the lost rest. glTF has one texture coordinate for each
+/// vertex, so vertices along seams are written more than once. Materials of a glTF input are
+/// written unchanged, with their images; images and materials of other files by their names. The
+/// format holds floats only. Throws AppError (Failure) for more than 4 GB.
 void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
 			  std::vector<std::string>& lost);
 

@@ -8,11 +8,11 @@
 
 namespace gpr::app {
 
-/// What a binary glTF file says of its materials, to be written as it was read: the parts of the
-/// JSON text that they need, and the bytes of the images that lie in the file.
+/// The materials of a binary glTF file, to be written unchanged: the parts of the JSON text for the
+/// materials, and the bytes of the images in the file.
 struct GltfMaterials {
 	std::string json; ///< an object: materials, textures, images, samplers, names of extensions
-	std::vector<std::string> imageBytes; ///< by the number of the image; empty for one elsewhere
+	std::vector<std::string> imageBytes; ///< by the number of the image; empty for another file
 	std::size_t              materialNum = 0;
 };
 

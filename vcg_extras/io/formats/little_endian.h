@@ -10,7 +10,8 @@
 
 namespace gpr::app {
 
-/// Puts the bytes of a number in little endian order on every machine, and goes on behind them.
+/// Puts the bytes of a number in little endian order on every machine, and moves on to the next
+/// place.
 template <class T>
 void putLittleEndian(T value, char*& at)
 {

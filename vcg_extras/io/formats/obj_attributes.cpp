@@ -18,7 +18,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Collects what the lines say; the mesh itself has been read and checked before.
+/// Collects the attributes of the lines; the mesh itself has been read and checked before.
 class ObjReading {
 public:
 	void readLine(std::string_view line)
@@ -111,7 +111,8 @@ private:
 		texturePoint_.push_back({float(u), float(v)});
 	}
 
-	/// An index of the file, from the begin or from the end, as one from 0; -1 where it is none.
+	/// An index of the file, from the begin or from the end, as an index from 0; -1 for a malformed
+	/// index.
 	static std::int64_t resolved(std::string_view word, std::size_t num)
 	{
 		std::int64_t index = 0;
@@ -222,7 +223,7 @@ private:
 			number(c->type == PlyType::UInt8 ? c->values[v] / 255 : c->values[v]);
 	}
 
-	/// One vt for all corners of a vertex that have the same coordinates.
+	/// One vt for all corners of a vertex with the same coordinates.
 	void numberTexturePoints()
 	{
 		using Key = std::tuple<std::int32_t, float, float>;
@@ -240,11 +241,11 @@ private:
 		}
 	}
 
-	/// The names of one kind that faces have.
+	/// The names of the faces, of one kind.
 	struct Names {
 		const char*  keyword;
 		FaceRegions  of;
-		std::int32_t last = -1; ///< label that was written
+		std::int32_t last = -1; ///< label written last
 	};
 	std::vector<Names> names_;
 
@@ -289,7 +290,7 @@ private:
 		}
 	}
 
-	/// So that each name is written once, or once in each object; otherwise in their order.
+	/// So each name is written once, or once in each object; otherwise in the order of the faces.
 	std::vector<std::size_t> facesByName() const
 	{
 		std::vector<std::size_t> order(mesh_.faceNum());

@@ -10,16 +10,16 @@
 
 namespace gpr::app {
 
-/// Reads what an OBJ file that lies in memory holds beside the mesh that readObj has made of it:
-/// texture coordinates, materials, groups, objects, and colours behind the coordinates of vertices.
-/// Normals are passed over and named in `lost`. A second way through the file. Malformed texture
-/// coordinates count as none.
+/// Reads all data of an OBJ file in memory beside the mesh of readObj: texture coordinates,
+/// materials, groups, objects, and colours after the coordinates of vertices. Normals are passed
+/// over and named in `lost`. A second pass over the file. Malformed texture coordinates count as
+/// missing.
 void readObjAttributes(std::string_view file, InputMesh& mesh);
 
-/// Writes an OBJ file with texture coordinates, materials, groups, objects and colours, as far as
-/// there are any; names the rest. Labels without names become groups such as label_3. Corners of a
-/// vertex with the same coordinates share a vt. Coordinates have the fewest digits that give back
-/// each double, or each float.
+/// Writes an OBJ file with texture coordinates, materials, groups, objects and colours, if any;
+/// names the lost rest. Labels without names become groups such as label_3. Corners of a vertex
+/// with the same coordinates share a vt. Coordinates have the fewest digits from which the same
+/// double, or float, can be read.
 void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out, std::vector<std::string>& lost);
 

@@ -12,7 +12,7 @@ namespace gpr::app {
 
 namespace {
 
-/// What follows the first index of a corner: more of them, which are not looked at.
+/// The rest of a corner after its first index: more indices, which are not read.
 bool isRestOfCorner(std::string_view rest)
 {
 	return std::all_of(rest.begin(), rest.end(), [](char c) {

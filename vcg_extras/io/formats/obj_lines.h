@@ -12,35 +12,35 @@
 #include <utility>
 #include <vector>
 
-// The lines of OBJ files, for those who hold a whole file and those who read it block by block.
+// The lines of OBJ files, for readers of whole files and for readers of blocks.
 
 namespace gpr::app {
 
-/// Takes a line with those that it goes on with; `joined` holds it where there are some.
+/// Takes a line with its continuation lines; `joined` holds the joined text of several lines.
 std::string_view takeWholeLine(std::string_view& text, std::string& joined);
 
-/// The lines of a text that are vertices.
+/// The number of lines with vertices.
 std::size_t countObjVertices(std::string_view text);
 
-/// The first index of a face's corner, from the begin or below 0 from the end. What follows a slash
-/// is not looked at. False where the word is malformed.
+/// The first index of a face's corner, from the begin, or below 0 from the end. Text after a slash
+/// is not read. False for a malformed word.
 bool readObjCorner(std::string_view word, std::int64_t& index);
 
-/// The colour behind the coordinates of a vertex, each 0 to 255. False where there is none.
+/// The colour after the coordinates of a vertex, each 0 to 255. False without a colour.
 bool readObjColour(Words& behindCoordinates, std::array<std::uint8_t, 3>& colour);
 
 /// Throws AppError (BadInput) with the number of a line that cannot be read.
 [[noreturn]] void failAtObjLine(std::size_t number);
 
-/// Reads the lines of one piece of a file. The sink takes what is found:
+/// Reads the lines of one piece of a file. The sink takes the records:
 ///   addVertex(const std::array<double, 3>&, Words& behind)
-///   addFace(const std::int64_t* corners, std::size_t num)   from 0; below 0 where there is none
+///   addFace(const std::int64_t* corners, std::size_t num)   from 0; below 0 for a missing vertex
 ///   addOther(std::string_view keyword)
 template <class Sink>
 class ObjPiece {
 public:
 	Sink        sink;
-	const char* badPlace = nullptr; ///< the line that cannot be read; null: there is none
+	const char* badPlace = nullptr; ///< the first unreadable line; null without such a line
 
 	/// before: vertices of the pieces before.
 	void read(std::string_view text, std::uint64_t before)
@@ -56,7 +56,7 @@ public:
 	}
 
 private:
-	std::int64_t              vertexNum_ = 0; ///< so far, those of the pieces before included
+	std::int64_t              vertexNum_ = 0; ///< so far, vertices of earlier pieces included
 	std::vector<std::int64_t> corners_;
 
 	bool readLine(std::string_view line)
@@ -92,11 +92,11 @@ private:
 		return true;
 	}
 
-	/// Below 0, which no vertex has, where there are not as many.
+	/// Below 0, which no vertex has, for an index beyond the begin.
 	std::int64_t fromEnd(std::int64_t index) const { return index < 0 ? vertexNum_ + index : -1; }
 };
 
-/// Reads a text that ends at the end of a line, by all threads. before: vertices in front of it.
+/// Reads a text of whole lines, by all threads. before: vertices in front of the text.
 template <class Sink>
 std::vector<ObjPiece<Sink>> readObjPieces(std::string_view text, std::uint64_t before,
 										  Workers& workers)

@@ -10,7 +10,7 @@ namespace gpr::app {
 
 namespace {
 
-/// What one piece of a file gives to the mesh.
+/// The part of the mesh from one piece of a file.
 struct MeshPiece {
 	std::vector<double> coordinates; ///< three a vertex
 	FaceList            faces;

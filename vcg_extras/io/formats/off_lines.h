@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-// The lines of OFF files, for those who hold a whole file and those who read it block by block.
+// The lines of OFF files, for readers of whole files and for readers of blocks.
 
 namespace gpr::app {
 
-/// What comes before the records. The number of edges is of no use, and often left out.
+/// The header before the records. The number of edges is unused, and often left out.
 struct OffHeader {
 	std::size_t vertexNum = 0, faceNum = 0;
 	std::size_t byteNum = 0; ///< of the header
@@ -22,32 +22,32 @@ struct OffHeader {
 	std::size_t recordNum() const { return vertexNum + faceNum; }
 };
 
-/// begin: of the file, all of it or much more than the header takes. Throws AppError (BadInput).
+/// begin: of the file, all of the text or much more than the header. Throws AppError (BadInput).
 OffHeader readOffHeader(std::string_view begin, std::uint64_t fileBytes);
 
-/// Throws AppError (BadInput) where a file has fewer records than its header says.
+/// Throws AppError (BadInput) if a file has fewer records than its header says.
 void requireAllOffRecords(const OffHeader& header, std::uint64_t recordNum);
 
-/// Throws AppError (BadInput) with the number of a line that cannot be read. text: that it is in,
-/// with so many lines of the file before. The last line of a file may lack its end.
+/// Throws AppError (BadInput) with the number of an unreadable line. text: the text with the line,
+/// after so many lines of the file. The last line of a file may lack its end.
 [[noreturn]] void failAtOffLine(std::string_view text, const char* place, std::size_t linesBefore,
 								bool textEndsFile);
 
-/// The lines of a text that are records.
+/// The number of lines with records.
 std::size_t countOffRecords(std::string_view text);
 
 bool readOffVertex(Words& words, std::array<double, 3>& position);
 /// The file's word for the number of corners is not trusted: no more are taken than there are.
 bool readOffFace(Words& words, std::vector<std::int64_t>& corners);
 
-/// Reads the lines of one piece of a file. The sink takes what is found:
+/// Reads the lines of one piece of a file. The sink takes the records:
 ///   addVertex(std::size_t number, const std::array<double, 3>&)
 ///   addFace(const std::int64_t* corners, std::size_t num)
 template <class Sink>
 class OffPiece {
 public:
 	Sink        sink;
-	const char* badPlace = nullptr; ///< the line that cannot be read; null: there is none
+	const char* badPlace = nullptr; ///< the first unreadable line; null without such a line
 
 	/// first: records of the pieces before.
 	void read(std::string_view text, std::size_t first, const OffHeader& header)

@@ -12,7 +12,7 @@ namespace gpr::app {
 
 namespace {
 
-/// What one piece of a file gives to the mesh.
+/// The part of the mesh from one piece of a file.
 struct MeshPiece {
 	double*  coordinates = nullptr; ///< of all vertices, three each
 	FaceList faces;

@@ -23,7 +23,7 @@ int findScalar(const PlyElement& e, const char* name)
 	return i >= 0 && !e.properties[std::size_t(i)].isList ? i : -1;
 }
 
-/// One record of an element: its scalars by property, and the values of two lists.
+/// A record of an element: its scalars by property, and the values of two lists.
 struct Record {
 	std::vector<double>       scalars;
 	std::vector<std::int64_t> corners;
@@ -67,7 +67,7 @@ void readRecord(const PlyElement& e, const KeptLists& kept, Source& source, Reco
 	}
 }
 
-/// Where an element's records say that they are selected.
+/// The columns by which an element's records are marked as selected.
 class SelectionColumns {
 public:
 	explicit SelectionColumns(const PlyElement& e) :
@@ -110,7 +110,7 @@ bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 
-/// The properties of an element that are carried, and their columns.
+/// The carried properties of an element, and their columns.
 class CarriedColumns {
 public:
 	CarriedColumns(const PlyElement& e, bool carried)
@@ -138,7 +138,7 @@ private:
 	std::vector<std::size_t> property_;
 };
 
-/// Where faces hold texture coordinates of their corners.
+/// The properties of faces with texture coordinates of their corners.
 struct TextureProperties {
 	explicit TextureProperties(const PlyElement& e) : image(findScalar(e, "texnumber"))
 	{
@@ -163,7 +163,7 @@ void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& s
 	mesh.attributes.ofVertices = std::move(carried.columns);
 }
 
-/// What the file says of its faces, one after the other, until polygons are cut.
+/// The data of the file about its faces, face after face, until polygons are cut.
 class FaceReading {
 public:
 	FaceReading(const PlyElement& e, const WantedAttributes& wanted) :
@@ -262,7 +262,7 @@ void skipElement(const PlyElement& e, Source& source)
 		readRecord(e, {}, source, record);
 }
 
-/// Elements behind the last wanted one are not read.
+/// Elements after the last wanted element are not read.
 template <class Source>
 void readElements(const PlyHeader& header, const WantedAttributes& wanted, Source source,
 				  InputMesh& mesh)
@@ -286,7 +286,7 @@ void readElements(const PlyHeader& header, const WantedAttributes& wanted, Sourc
 	}
 }
 
-/// The lists that are not carried.
+/// Notes the lists that are lost.
 void noteLostLists(const PlyHeader& header, MeshAttributes& attributes)
 {
 	for (const PlyElement& e : header.elements) {
@@ -299,7 +299,7 @@ void noteLostLists(const PlyHeader& header, MeshAttributes& attributes)
 	}
 }
 
-/// What stands behind the keyword in each line of the header that begins with it.
+/// The text after the keyword in each line of the header with this keyword.
 std::vector<std::string> findLines(std::string_view header, std::string_view keyword)
 {
 	std::vector<std::string> lines;
@@ -312,8 +312,7 @@ std::vector<std::string> findLines(std::string_view header, std::string_view key
 	return lines;
 }
 
-/// The names that comments give to the values of faces, as this program writes them: in order,
-/// "0 inlet", "1 wall".
+/// The names of the values of faces in comments of this program: in order, "0 inlet", "1 wall".
 void findNames(std::string_view header, std::vector<ValueColumn>& columns)
 {
 	for (ValueColumn& column : columns) {

@@ -9,14 +9,14 @@
 
 namespace gpr::app {
 
-/// Reads what is wanted beside the mesh of a PLY file that lies in memory into the mesh that
-/// readPly has made of it. Names are MeshLab's: the vertices' property "quality"; in "flags" of
-/// vertices and faces the bit that says selected. A property "selected" that is not 0 says so, too.
-/// Where vertices are wanted and none is selected, the corners of selected faces are. Carried are
-/// all scalar properties but those, and the texture coordinates "texcoord" and "texnumber" of
-/// faces; other lists are named in `lost`. A second way through the file, value by value, so that
-/// reading stays fast where there is nothing to read. Throws AppError (BadInput) where something
-/// required is missing or a value malformed.
+/// Reads the wanted attributes of a PLY file in memory into the mesh of readPly. Names are
+/// MeshLab's: the vertices' property "quality"; a bit for the selection in "flags" of vertices and
+/// faces. A property "selected" other than 0 selects, too. If vertices are wanted and no vertex is
+/// selected, the corners of selected faces are selected. All other scalar properties are carried,
+/// and the texture coordinates "texcoord" and "texnumber" of faces; other lists are named in
+/// `lost`. A second pass over the file, value by value, so that reading stays fast for files
+/// without attributes. Throws AppError (BadInput) for a missing required attribute or a malformed
+/// value.
 void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, InputMesh& mesh);
 
 } // namespace gpr::app

@@ -13,7 +13,7 @@ namespace gpr::app {
 
 namespace {
 
-constexpr std::size_t longestHeader = 1 << 20; // bytes; real ones have a few hundred
+constexpr std::size_t longestHeader = 1 << 20; // bytes; real headers have a few hundred
 
 [[noreturn]] void fail(const std::string& sentence)
 {
@@ -26,8 +26,8 @@ std::vector<std::string> splitWords(std::string_view line)
 	return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
 }
 
-/// Returns the lines of the header. How a line ends is decided by the first one: a binary file
-/// may go on with a byte that looks like half a line break.
+/// Returns the lines of the header. The first line decides how lines end: a binary file may go on
+/// with a byte that looks like half a line break.
 class HeaderLines {
 public:
 	explicit HeaderLines(std::string_view file) : text_(file.substr(0, longestHeader))

@@ -15,14 +15,14 @@ namespace gpr::app {
 
 enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
 
-/// Bytes that a value of this type takes in a binary file.
+/// Bytes of a value of this type in a binary file.
 std::size_t plyTypeSize(PlyType type);
 bool        isInteger(PlyType type);
-/// As headers have it: "uchar", "int", "float".
+/// The name in a header: "uchar", "int", "float".
 const char* plyTypeName(PlyType type);
 
-/// A value as a whole number of a type: without the digits behind the point, at the end of the
-/// range where it lies beyond, 0 for NaN.
+/// A value as a whole number of a type: without the digits after the point, cut to the range, 0 for
+/// NaN.
 template <class T>
 T wholeOfRange(double value)
 {
@@ -31,7 +31,7 @@ T wholeOfRange(double value)
 	return value == value ? T(std::clamp(value, least, most)) : T(0);
 }
 
-/// Gives a value to `put` as one of a type, see wholeOfRange.
+/// Gives a value to `put` in a type, see wholeOfRange.
 template <class Put>
 void putAs(PlyType type, double value, const Put& put)
 {
@@ -73,7 +73,7 @@ struct PlyElement {
 	bool hasList() const;
 	/// Index of the property with this name, or -1.
 	int find(std::string_view propertyName) const;
-	/// The least that one record takes in a binary file: every list empty.
+	/// The least bytes of a record in a binary file: every list empty.
 	std::size_t smallestRecordBytes() const;
 };
 
@@ -86,18 +86,18 @@ struct PlyHeader {
 	std::size_t             lineNum = 0;
 };
 
-/// Reads the header of a PLY file. Its length is bounded, so that a file without an end of header
-/// cannot keep it busy. Throws AppError (BadInput) on anything that the format does not know.
+/// Reads the header of a PLY file. The length of a header is bounded, so a file without an end of
+/// header ends soon. Throws AppError (BadInput) on anything unknown to the format.
 PlyHeader readPlyHeader(std::string_view file);
 
 /// Vertices with x, y and z; faces with their corners.
 PlyElement elementWithPositions(PlyType coordinate, std::uint64_t count);
 PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count);
 
-/// The text of a header; comments: whole lines that it has, too.
+/// The text of a header; comments: whole lines to include.
 std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
 
-/// How a comment begins that gives a name to the value i of a property of faces.
+/// The begin of a comment that names the value i of a property of faces.
 std::string nameComment(const std::string& property);
 
 } // namespace gpr::app

@@ -5,12 +5,12 @@
 
 #include "ply_header.h"
 
-// Where in a PLY file the mesh is, whatever else the file holds. Everything throws AppError
-// (BadInput) where the mesh cannot be found.
+// The place of the mesh in a PLY file, among any other content. All functions throw AppError
+// (BadInput) if the mesh cannot be found.
 
 namespace gpr::app {
 
-/// Refuses a header that has the element of the vertices, faces or strips twice.
+/// Refuses a header with a repeated element of vertices, faces or strips.
 void checkElements(const PlyHeader& header);
 
 /// Nothing after the last element of the three is read: files with damaged extras still serve.
@@ -26,10 +26,10 @@ CoordinateProperties findCoordinates(const PlyElement& e);
 /// Whether x, y or z is stored as double or as a whole number of 32 bits.
 bool needsDouble(const PlyElement& e, const CoordinateProperties& c);
 
-/// The number of the property that holds the vertices of a face or strip.
+/// The number of the property with the vertices of a face or strip.
 int findIndexList(const PlyElement& e);
 
-/// For an element that has more records than the rest of the file can hold.
+/// For an element with more records than the rest of the file can hold.
 [[noreturn]] void failTruncated(const PlyElement& e);
 
 } // namespace gpr::app

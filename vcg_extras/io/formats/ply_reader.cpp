@@ -40,7 +40,7 @@ void skipProperty(const PlyProperty& p, Source& source)
 	}
 }
 
-/// Steps over records of one length; false where they have not.
+/// Steps over records of the same length; false for records of several lengths.
 bool skipRecords(const PlyElement& e, BinarySource& source)
 {
 	if (e.hasList()) return false;
@@ -53,7 +53,7 @@ bool skipRecords(const PlyElement&, TextSource&)
 	return false;
 }
 
-/// Steps over an element that is of no use here.
+/// Steps over an unused element.
 template <class Source>
 void skipElement(const PlyElement& element, Source& source)
 {
@@ -89,7 +89,7 @@ void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, So
 	}
 }
 
-/// Distance of a property from the begin of its record; every property before it is a scalar.
+/// Distance of a property from the begin of its record; every earlier property is a scalar.
 std::size_t offsetOf(const PlyElement& e, int property)
 {
 	std::size_t bytes = 0;
@@ -104,7 +104,7 @@ constexpr PlyType typeOfScalar()
 	return sizeof(S) == sizeof(double) ? PlyType::Float64 : PlyType::Float32;
 }
 
-/// Whether the coordinates lie beside each other in the machine's own form, all of one type.
+/// Whether the coordinates lie beside each other in the machine's own form, all of the same type.
 bool areBeside(const PlyElement& e, const CoordinateProperties& c, const BinarySource& source)
 {
 	if (source.swapped() || e.hasList() || c.y != c.x + 1 || c.z != c.x + 2) return false;
@@ -187,8 +187,8 @@ void readFace(const PlyElement& e, int indexList, Source& source, FaceList& face
 	faces.add(corners.data(), corners.size());
 }
 
-/// How the record of a triangle looks when it can be copied: a one-byte count of 3, three indices
-/// of 32 bits, scalars before and after.
+/// The layout of a triangle's record that can be copied: a one-byte count of 3, three indices of 32
+/// bits, scalars before and after.
 struct TriangleRecord {
 	std::size_t bytes   = 0;
 	std::size_t countAt = 0;
@@ -206,7 +206,7 @@ bool findTriangleRecord(const PlyElement& e, int indexList, TriangleRecord& reco
 	return true;
 }
 
-/// Copies triangles up to the first face that is none; tells how many.
+/// Copies triangles up to the first face with more corners; returns the number of triangles.
 std::uint64_t copyTriangles(const PlyElement& e, int indexList, BinarySource& source,
 							IndexArray& triangles)
 {
@@ -260,9 +260,9 @@ void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 	}
 }
 
-// ---- where they lie
+// ---- at their places in the file
 
-/// Looks at the vertices in the file; false where they cannot be used as they are.
+/// Looks at the vertices in the file; false if the vertices cannot be used in place.
 bool lookAtVertices(const PlyElement& e, BinarySource& source, MeshView& mesh)
 {
 	requireVertexNum(e);
@@ -302,7 +302,7 @@ bool indicesAreInRange(const MeshView& mesh)
 	return largest < mesh.vertexNum;
 }
 
-/// False where something has to be converted, or is wrong: then the file is read as usual.
+/// False if a part must be converted, or is wrong: then the file is read as usual.
 bool lookAtBody(const PlyHeader& header, BinarySource source, MeshView& mesh)
 {
 	const std::size_t num = usefulElementNum(header);

@@ -9,18 +9,15 @@
 
 namespace gpr::app {
 
-/// Reads a PLY file that lies in memory: ASCII and both binary forms, properties of any type in any
-/// order, elements that are of no use here, polygons, triangle strips. Triangles of the usual
-/// layout are read at the speed of copying.
-/// The binary forms are read by own code, for speed, ASCII by CGAL.
-/// Positions are double where x, y or z is stored as double or as a 32-bit whole number.
-/// Throws AppError (BadInput) when the file is malformed, cut off, or an index is out of range;
-/// sizes are checked against the file's length before memory is asked for.
+/// Reads a PLY file in memory: ASCII and both binary forms, properties of any type in any order,
+/// unused elements, polygons, triangle strips. Triangles of the usual layout are read at the speed
+/// of copying. Positions are double if x, y or z is stored as double or as a 32-bit whole number.
+/// Throws AppError (BadInput) for a malformed or cut-off file, or an index out of range; sizes are
+/// checked against the file's length before memory is taken.
 InputMesh readPly(std::string_view file);
 
-/// The same, but positions and triangles stay where they are if they can be used as they lie in the
-/// file, as those of most scans can: InputMesh::inFile. The file's bytes must outlive the mesh
-/// then.
+/// The same, but usable positions and triangles stay in place in the file, as in most scans:
+/// InputMesh::inFile. The bytes of the file must then outlive the mesh.
 InputMesh lookAtPly(std::string_view file);
 
 } // namespace gpr::app

@@ -34,7 +34,7 @@ T loadAs(const char* at, bool swap)
 	return value;
 }
 
-/// One value of a binary file as an S.
+/// A value of a binary file as an S.
 template <class S>
 S loadValue(PlyType type, const char* at, bool swap)
 {
@@ -59,8 +59,7 @@ S loadValue(PlyType type, const char* at, bool swap)
 	return S(0);
 }
 
-/// The values of a binary file of either byte order, one after the other. It never reads beyond the
-/// end.
+/// The values of a binary file of either byte order, value after value. Never reads beyond the end.
 class BinarySource {
 public:
 	BinarySource(std::string_view body, bool littleEndian) :
@@ -109,8 +108,8 @@ private:
 	[[noreturn]] void failCut() const { fail("the file ends too early; it seems to be cut off"); }
 };
 
-/// The same for the words of an ASCII file. The types of its header say nothing about how its
-/// values are stored. What follows a '#' on a line is passed over.
+/// The same for the words of an ASCII file. The types of the header do not matter for the stored
+/// values. Text after a '#' on a line is passed over.
 class TextSource {
 public:
 	/// lineNum: of the lines before the body.
@@ -118,7 +117,7 @@ public:
 			body_(body), at_(body.data()), end_(body.data() + body.size()), lineNum_(lineNum)
 	{
 	}
-	/// Of a file that is read piece by piece. The pieces must outlive the source.
+	/// For a file in pieces. The pieces must outlive the source.
 	explicit TextSource(TextPieces& pieces) : TextSource(pieces.next(), pieces.linesBefore())
 	{
 		pieces_ = &pieces;
@@ -126,7 +125,7 @@ public:
 
 	/// NaN for words such as nan(ind).
 	double real(PlyType type);
-	/// NaN for infinite ones, too.
+	/// NaN for infinite values, too.
 	double       coordinate(PlyType type);
 	std::int64_t whole(PlyType type);
 	void         skip(PlyType type) { real(type); }
@@ -136,7 +135,7 @@ public:
 			real(type);
 	}
 
-	/// Each value takes a character and a blank, the very last one no blank.
+	/// Each value takes a character and a blank, the last value no blank.
 	std::uint64_t recordsLeft(const PlyElement& e) const
 	{
 		return (bytesLeft() + 1) / (2 * e.properties.size());
@@ -150,7 +149,7 @@ private:
 	std::string_view body_;
 	const char*      at_;
 	const char*      end_;
-	const char*      word_ = nullptr; ///< where the last one begins
+	const char*      word_ = nullptr; ///< begin of the last word
 	std::size_t      lineNum_;
 	TextPieces*      pieces_ = nullptr; ///< null: the body is all there is
 

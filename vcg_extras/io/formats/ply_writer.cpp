@@ -34,7 +34,7 @@ std::string headerOf(const MeshView& mesh, PlyType coordinate, const MeshAttribu
 	return plyHeaderText({PlyFormat::LittleEndian, {vertex, face}}, comments);
 }
 
-/// The bytes of one record.
+/// The bytes of a record.
 class Record {
 public:
 	explicit Record(std::size_t most) : bytes_(most), at_(bytes_.data()) {}
@@ -82,7 +82,7 @@ void putFace(const MeshView& mesh, const MeshAttributes& a, std::size_t f, Recor
 
 void writePly(const MeshView& mesh, bool doublePrecision, const MeshAttributes& a, OutputFile& out)
 {
-	constexpr std::size_t mostOfMesh = 64; // bytes of a record but for those of the columns
+	constexpr std::size_t mostOfMesh = 64; // bytes of a record without its columns
 	const PlyType         coordinate = doublePrecision ? PlyType::Float64 : PlyType::Float32;
 	out.text(headerOf(mesh, coordinate, a));
 	Record record(mostOfMesh + sizeof(double) * (a.ofVertices.size() + a.ofFaces.size()));

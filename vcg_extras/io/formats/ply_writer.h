@@ -10,8 +10,8 @@
 namespace gpr::app {
 
 /// Writes a binary little endian PLY file with positions as double or float, triangles, and every
-/// attribute in the name and type that it has; texture coordinates of corners as MeshLab has them,
-/// in a list 'texcoord' of each face.
+/// attribute with its name and type; texture coordinates of corners as in MeshLab, in a list
+/// 'texcoord' of each face.
 void writePly(const MeshView& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out);
 

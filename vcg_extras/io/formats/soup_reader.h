@@ -8,8 +8,8 @@
 #include <string_view>
 
 // OBJ, OFF and STL. The files lie in memory, and all but ASCII STL are read in pieces by all
-// threads. No index is out of range in what the readers return, and nothing is lost silently. They
-// throw AppError (BadInput) on anything malformed or cut off.
+// threads. Returned indices are in range, and nothing is lost silently. The readers throw AppError
+// (BadInput) on anything malformed or cut off.
 
 namespace gpr::app {
 
@@ -19,16 +19,16 @@ namespace gpr::app {
 InputMesh readObj(std::string_view file, bool& holdsMore);
 InputMesh readObj(std::string_view file);
 
-/// ASCII, one vertex and one face a line; what follows the coordinates and the corners on a line is
+/// ASCII, one vertex and one face a line; text after the coordinates and the corners on a line is
 /// passed over.
 InputMesh readOff(std::string_view file);
 
-/// ASCII or binary, whatever the first word claims; corners at exactly the same position become one
-/// vertex, in the order of their first use. ASCII: keywords in any case, names of any words,
-/// several solids, which are regions of faces; a note tells where one has no end.
+/// ASCII or binary, for any first word; corners at exactly the same position become one vertex, in
+/// the order of their first use. ASCII: keywords in any case, names of any words, several solids,
+/// which are regions of faces; a note tells of a solid without end.
 InputMesh readStl(std::string_view file);
 
-/// A binary STL file, which is at least that long.
+/// A binary STL file of at least the promised length.
 InputMesh readBinaryStl(std::string_view file);
 
 } // namespace gpr::app

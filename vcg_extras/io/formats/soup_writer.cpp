@@ -14,7 +14,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Of the corners as the file has them. 0 where the triangle has no area.
+/// Of the corners in the file. 0 for a degenerate triangle.
 Vec3d unitNormal(const std::array<Vec3d, 3>& corner)
 {
 	const Vec3d  normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -93,7 +93,7 @@ void writeFacet(const TriangleMesh& mesh, bool doublePrecision, std::size_t f, O
 	out.text("endloop\nendfacet\n");
 }
 
-/// The faces of each region one after the other.
+/// The faces of each region, region after region.
 void writeSolids(const TriangleMesh& mesh, bool doublePrecision, const FaceRegions& regions,
 				 OutputFile& out)
 {

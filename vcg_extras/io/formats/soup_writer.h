@@ -10,11 +10,11 @@
 
 namespace gpr::app {
 
-/// Coordinates with the fewest digits that give back each double, or each float.
+/// Coordinates with the fewest digits from which each double, or each float, can be read.
 void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 
-/// Binary, which holds floats only; ASCII with a solid for each region where there are more than
-/// one. Names the attributes that STL does not hold.
+/// Binary, which holds floats only; ASCII with a solid for each of several regions. Names the
+/// attributes that STL does not hold.
 void writeStl(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out, std::vector<std::string>& lost);
 

@@ -18,18 +18,17 @@ namespace gpr::app {
 constexpr std::size_t stlFacetsAt   = 84;
 constexpr std::size_t stlFacetBytes = 50;
 
-/// Whether a file is binary, whatever its first word claims. begin: of the file, some thousand
-/// bytes of it or all.
+/// Whether a file is binary, for any first word. begin: some thousand bytes of the file, or all.
 bool isBinaryStl(std::string_view begin, std::uint64_t fileBytes);
 
-/// Throws AppError (BadInput) where a binary file is shorter than the count behind its header says.
+/// Throws AppError (BadInput) for a binary file shorter than the count after its header says.
 void requireAllFacets(std::string_view begin, std::uint64_t fileBytes);
 
-/// How long a binary STL file is by the count that follows its header.
+/// The length of a binary STL file by the count after its header.
 std::uint64_t promisedStlBytes(std::string_view begin);
 
-/// The bits of a corner's coordinates, so that equal ones are one vertex: both zeros are alike, and
-/// so is all that is no number.
+/// The bits of a corner's coordinates, so that equal corners are one vertex: both zeros are alike,
+/// and so are all values that are no number.
 struct StlCornerKey {
 	std::array<std::uint32_t, 3> bits;
 
@@ -45,7 +44,7 @@ struct StlCornerKey {
 	}
 };
 
-/// Facets as they lie one after the other in a file.
+/// Facets in the order of a file.
 class StlFacets {
 public:
 	explicit StlFacets(std::string_view facets) :
@@ -65,7 +64,7 @@ public:
 		return p;
 	}
 
-	/// The same as coordinates of a vertex: NaN in the place of infinite ones.
+	/// The same as coordinates of a vertex: NaN in place of infinite values.
 	std::array<float, 3> position(std::size_t c) const
 	{
 		std::array<float, 3> p = corner(c);

@@ -68,7 +68,7 @@ private:
 		failInput("a facet is malformed or the file ends too early");
 	}
 
-	/// Words that belong into a facet but stand outside tell of a damaged "facet".
+	/// Words of a facet outside of any facet are a sign of a damaged "facet".
 	void readRecord(const std::string& word)
 	{
 		if (word == "vertex" || word == "endloop" || word == "endfacet") fail();
@@ -107,8 +107,8 @@ private:
 		solids_.addFace();
 	}
 
-	/// Corners at exactly the same position are one vertex; so are those that are no number at the
-	/// same coordinates.
+	/// Corners at exactly the same position are one vertex; so are corners with the same
+	/// coordinates that are no numbers.
 	std::int64_t readVertex()
 	{
 		Position position;
@@ -134,8 +134,8 @@ std::uint64_t promisedStlBytes(std::string_view begin)
 	return stlFacetsAt + stlFacetBytes * faceNum;
 }
 
-// The first word decides, but binary files may begin with "solid" too: so the size that the count
-// asks for goes first, and zero bytes tell as well.
+// The first word decides, but binary files may begin with "solid" too: so the size by the count
+// goes first, and zero bytes are a sign as well.
 bool isBinaryStl(std::string_view begin, std::uint64_t fileBytes)
 {
 	if (begin.size() < stlFacetsAt) return false;

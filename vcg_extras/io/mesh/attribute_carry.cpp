@@ -27,7 +27,7 @@ bool isReal(PlyType type)
 	return type == PlyType::Float32 || type == PlyType::Float64;
 }
 
-/// The columns of one colour of the vertices.
+/// The columns of a colour of the vertices.
 std::vector<const ValueColumn*> coloursOf(const std::vector<ValueColumn>& columns)
 {
 	std::vector<const ValueColumn*> colours;
@@ -37,7 +37,7 @@ std::vector<const ValueColumn*> coloursOf(const std::vector<ValueColumn>& column
 	return colours;
 }
 
-/// Whether colours stand for labels: there are few, and most edges have one at both ends.
+/// Whether colours serve as labels: few colours, and most edges have the same colour at both ends.
 bool arePalette(const std::vector<const ValueColumn*>& colours, const MeshView& mesh)
 {
 	constexpr std::size_t mostColours = 256;

@@ -19,8 +19,8 @@ std::int32_t narrowed(std::int64_t index)
 																		   : -1;
 }
 
-/// Throws when an index is negative or not below vertexNum. One branch-free pass: the maximum over
-/// the indices seen as unsigned numbers, so that -1 counts as huge.
+/// Throws for a negative index, or an index not below vertexNum. A pass without branches: the
+/// maximum over the indices as unsigned numbers, so that -1 counts as huge.
 void checkRange(const std::int32_t* indices, std::size_t indexNum, std::size_t vertexNum)
 {
 	std::uint32_t largest = 0;

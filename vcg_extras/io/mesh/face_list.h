@@ -12,27 +12,28 @@
 
 namespace gpr::app {
 
-/// A face names a vertex that is not there. Throws AppError (BadInput).
+/// For a face with a missing vertex. Throws AppError (BadInput).
 [[noreturn]] void failNoSuchVertex(std::uint64_t vertexNum);
 
-/// What a report tells of faces that were left out.
+/// The note about faces left out.
 std::string tooSmallFacesNote(std::uint64_t faceNum);
 
 /// Collects the faces of a file. Triangles are stored at once; larger polygons wait until all
-/// positions are known, since the best way to cut them up depends on their shape.
+/// positions are known, since the best cuts depend on the shape.
 class FaceList {
 public:
 	IndexArray triangles; ///< open to readers that copy whole blocks
 
-	/// Adds a face with any number of corners; an index that is no 32-bit number becomes -1, which
-	/// finish() refuses. Faces with fewer than three corners are left out and counted.
+	/// Adds a face with any number of corners; an index beyond 32 bits becomes -1, which finish()
+	/// refuses. Faces with fewer than three corners are left out and counted.
 	void add(const std::int64_t* corners, std::size_t cornerNum);
 
-	/// Adds a strip: each index makes a triangle with the two before it, every second one turned
-	/// over; -1 ends the strip. Triangles with a repeated index only steer it and are left out.
+	/// Adds a strip: each index makes a triangle with the two indices before, every second triangle
+	/// turned over; -1 ends the strip. Triangles with a repeated index only steer the strip and are
+	/// left out.
 	void addStrip(const std::vector<std::int64_t>& strip);
 
-	/// Adds the faces of another list behind those of this one.
+	/// Adds the faces of another list after the faces here.
 	void append(const FaceList& other);
 
 	/// Checks every index, cuts the polygons into triangles and moves all into the mesh.

@@ -12,7 +12,8 @@ namespace gpr::app {
 
 namespace {
 
-/// By which names programs write them; the last three are those of this project's readers.
+/// Names of region labels in files of several programs; the last three names come from the readers
+/// of this project.
 constexpr const char* regionNames[] = {"region",        "label",          "material", "group",
 									   "CellEntityIds", "material_index", "object",   "solid"};
 
@@ -21,7 +22,7 @@ bool isWhole(double value)
 	return value == std::floor(value) && std::abs(value) <= double(INT32_MAX);
 }
 
-/// One label for each combination of labels that occurs, in their order.
+/// A label for each combination of labels, in the order of appearance.
 FaceRegions combined(const std::vector<FaceRegions>& all)
 {
 	using Key = std::vector<std::int32_t>;

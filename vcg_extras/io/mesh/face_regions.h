@@ -13,11 +13,11 @@
 
 namespace gpr::app {
 
-/// Regions that nobody wants.
+/// The name for unwanted regions.
 constexpr const char* noRegions = "off";
 
-/// Names that a file gives to its faces, each to those that follow: numbered as they come. Faces
-/// before the first one have a name without letters.
+/// The names of faces in a file; a name holds for all faces up to the next name. Labels are
+/// numbered in the order of appearance. Faces before the first name have an empty name.
 class NamesOfFaces {
 public:
 	void begin(const std::string& name);
@@ -37,27 +37,27 @@ private:
 	double                                  current_ = 0;
 };
 
-/// The regions of a mesh: labels of its triangles, as gpr::MeshView has them.
+/// The regions of a mesh: labels of its triangles, as in gpr::MeshView.
 struct FaceRegions {
-	std::vector<std::int32_t> label;       ///< one a triangle; empty: there are none
+	std::vector<std::int32_t> label;       ///< one a triangle; empty without regions
 	std::vector<std::string>  names;       ///< by label, or empty
-	std::string               prefix = {}; ///< of names that are made of labels
+	std::string               prefix = {}; ///< of names made of labels
 
 	std::string nameOf(std::int32_t labelOfOne) const;
 };
 
 /// Whether all values of a column are whole numbers.
 bool areLabels(const ValueColumn& column);
-/// The regions that such a column tells. Where it has no names, names are made of its own and the
-/// labels: "label_3".
+/// The regions in such a column. Without names, names are made of the column name and the labels:
+/// "label_3".
 FaceRegions regionsIn(const ValueColumn& column);
 
 /// Whether a column of faces with this name tells regions: label, material, group and their like.
 bool tellsRegions(const std::string& columnName);
 
-/// The regions that the values of faces tell. wanted: the name of one of them; empty: all that
-/// tellsRegions() and materials, combined; "off": none. Throws AppError (BadInput) where the named
-/// one is not there, or holds other than whole numbers; without a name, such a one is none.
+/// The regions in the values of faces. wanted: the name of a column; empty: all columns of
+/// tellsRegions() and materials, combined; "off": none. Throws AppError (BadInput) if the named
+/// column is missing, or holds other than whole numbers; without a name, such a column is ignored.
 FaceRegions regionsOf(const MeshAttributes& attributes, const std::string& wanted = {});
 
 } // namespace gpr::app

@@ -26,7 +26,7 @@ Vec3d normalOf(const MeshView& mesh, std::int32_t face)
 	return cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a);
 }
 
-/// Where on a face a point is nearest to p.
+/// The point of a face nearest to p.
 BarycentricPoint nearestOnFace(const MeshView& mesh, std::int32_t face, const Vec3d& p)
 {
 	const Vec3f      a(corner(mesh, face, 0) - p), b(corner(mesh, face, 1) - p);
@@ -38,7 +38,8 @@ BarycentricPoint nearestOnFace(const MeshView& mesh, std::int32_t face, const Ve
 	return at;
 }
 
-/// A list of all pieces, or none where no piece has one; others have `missing` for each element.
+/// A list for all pieces, or an empty list if no piece has a list; pieces without a list have
+/// `missing` for each element.
 template <class T>
 void append(const T* values, std::size_t num, std::size_t before, T missing, std::vector<T>& all)
 {

@@ -13,24 +13,24 @@
 
 namespace gpr::app {
 
-/// Several meshes as one, for a run on all of them together. Each is a region of the one mesh, or
-/// several where it has regions itself, so that edges of the result follow the borders between
-/// pieces; a result is cut there into results of the pieces again, whose borders coincide.
+/// Several meshes as one mesh, for a common run. Each mesh is a region of the whole, or several
+/// regions if the mesh has regions itself, so that edges of the result follow the borders between
+/// pieces. A result is cut there into results of the pieces, whose borders coincide.
 class JoinedPieces {
 public:
-	/// The pieces must outlive this. Cost: a copy of all of them.
+	/// The pieces must outlive this object. Cost: a copy of all pieces.
 	explicit JoinedPieces(std::vector<MeshView> pieces);
 
 	MeshView view() const;
 
-	/// The part of a result, with its points of vertices and faces, that belongs to piece k: mesh,
-	/// points and labels as if that piece had been remeshed alone, its faces turned as the piece's.
-	/// The report is the one of the whole. Points of vertices that lie on another piece are moved
-	/// to the nearest place of this one. Cost: O(F log F) for F faces of the piece.
+	/// The part of a result, with its points of vertices and faces, for piece k: mesh, points and
+	/// labels as if the piece had been remeshed alone, with the orientation of the piece. The
+	/// report is the report of the whole. Points of vertices on another piece are moved to the
+	/// nearest place of piece k. Cost: O(F log F) for F faces of the piece.
 	RemeshResult ofPiece(const RemeshResult& whole, std::size_t k) const;
 
 private:
-	/// A region of a piece, by its label in the one mesh.
+	/// A region of a piece, by its label in the whole mesh.
 	struct Part {
 		std::size_t  piece;
 		std::int32_t label; ///< the piece's own

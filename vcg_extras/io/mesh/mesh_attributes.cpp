@@ -18,7 +18,7 @@ const ValueColumn* MeshAttributes::ofVertex(const std::string& name) const
 
 namespace {
 
-/// By which names programs write them.
+/// The names of texture coordinates in files of several programs.
 constexpr const char* textureNames[][2] = {
 	{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
 

@@ -21,40 +21,40 @@ struct ValueColumn {
 	std::string         name;
 	PlyType             type = PlyType::Float32;
 	std::vector<double> values;
-	/// What the values 0, 1, ... are called, where they are numbers of names; else empty.
+	/// Names of the values 0, 1, ... if the values are numbers of names; else empty.
 	std::vector<std::string> names = {};
 };
 
-/// What a file holds of a mesh beside positions and triangles.
+/// All data of a mesh file beside positions and triangles.
 struct MeshAttributes {
 	std::vector<ValueColumn> ofVertices;
-	std::vector<ValueColumn> ofFaces;         ///< one value a triangle
-	CornerTexture            texture;         ///< of the triangles; uv is empty where there is none
-	std::vector<std::string> images;          ///< files of the texture's images, by their number
-	std::vector<std::string> materials;       ///< OBJ: names; the texture's images are materials
-	std::string              materialLibrary; ///< OBJ: the file that tells what they are
-	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: what the materials are, or null
-	std::vector<std::string>             lost; ///< words for what the file has and this has not
+	std::vector<ValueColumn> ofFaces; ///< one value a triangle
+	CornerTexture            texture; ///< of the triangles; uv is empty without texture coordinates
+	std::vector<std::string> images;  ///< files of the texture's images, by their number
+	std::vector<std::string> materials;        ///< OBJ: names; the texture's images are materials
+	std::string              materialLibrary;  ///< OBJ: the file of the materials
+	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: the materials, or null
+	std::vector<std::string> lost; ///< words for data of the file that this struct has not
 
 	bool hasTexture() const { return !texture.uv.empty(); }
 	bool any() const { return !ofVertices.empty() || !ofFaces.empty() || hasTexture(); }
-	/// Whether a result's faces need to know where they lie.
+	/// Whether the faces of a result need their places on the input.
 	bool ofFacesToo() const { return !ofFaces.empty() || hasTexture(); }
 	/// The column of the vertices with this name, or null.
 	const ValueColumn* ofVertex(const std::string& name) const;
 };
 
-/// The texture coordinates that vertices have, as those of the corners of the triangles; empty
-/// where they have none.
+/// The texture coordinates of vertices, as coordinates of the corners of the triangles; empty
+/// without texture coordinates.
 CornerTexture textureOfVertices(const MeshAttributes& attributes, const MeshView& mesh);
 /// Drops the columns of these coordinates.
 void dropTextureOfVertices(MeshAttributes& attributes);
 
-/// The triangles that FaceList makes of a file's faces: first those that are triangles, in their
-/// order, then the polygons, cut up.
+/// The triangles that FaceList makes of a file's faces: first the triangles of the file, in their
+/// order, then the cut polygons.
 class TriangleOrder {
 public:
-	/// The corners of one face after the other.
+	/// The corners of each face, face after face.
 	void add(const std::int64_t* corners, std::size_t cornerNum);
 	/// Cuts the polygons; every index must be in range.
 	void finish(const MeshView& positions);
@@ -74,7 +74,7 @@ private:
 	std::vector<Polygon>      polygons_;
 };
 
-/// Reads the attributes of a mesh's faces that were read one a face of the file, or one a corner.
+/// Reads the attributes of faces, with values per face of the file or per corner.
 std::vector<double> perTriangle(const std::vector<double>& perFace, const TriangleOrder& order);
 std::vector<float>  cornersOfTriangles(const std::vector<float>& uvPerCorner,
 									   const TriangleOrder&      order);

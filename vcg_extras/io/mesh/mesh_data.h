@@ -16,8 +16,8 @@
 
 namespace gpr::app {
 
-/// Leaves new elements of a vector as they are: a reader writes every one of them anyway, and
-/// zeroing a large array first costs as much as reading it.
+/// Leaves new elements of a vector uninitialized: a reader writes every element anyway, and zeroing
+/// a large array costs as much as reading the file.
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
 	template <class U>
@@ -43,37 +43,37 @@ using IndexArray = std::vector<std::int32_t, UninitializedAllocator<std::int32_t
 template <class S>
 using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 
-/// What of a file is wanted beside the mesh.
+/// The wanted parts of a file beside the mesh.
 struct WantedAttributes {
 	bool        selection     = false; ///< of vertices and the corners of faces
-	bool        ifSelected    = false; ///< of vertices, where the file marks any
+	bool        ifSelected    = false; ///< of vertices, if the file marks any
 	bool        faceSelection = false; ///< of the faces
 	bool        carried       = false; ///< whatever there is, to be carried over to a result
 	bool        mayStayInFile = false; ///< see InputMesh::inFile
 	std::string regions       = {};    ///< of `carried`, which tells regions: see regionsOf
 
-	/// Any that must be there.
+	/// Any part that must be present.
 	bool anyRequired() const { return selection || faceSelection; }
 	bool ofSelectedVertices() const { return selection || ifSelected; }
 };
 
 class FileContent;
 
-/// A mesh as its file holds it: nothing repaired, but every index is in range.
+/// A mesh as in its file: nothing repaired, but every index is in range.
 struct InputMesh {
-	/// Positions and triangles where they lie in the file, if they can be used as they are there;
-	/// the three arrays are empty then.
+	/// Positions and triangles at their places in the file, if usable there; then the three arrays
+	/// are empty.
 	MeshView                           inFile;
-	std::shared_ptr<const FileContent> file;    ///< what inFile looks at
+	std::shared_ptr<const FileContent> file;    ///< the file of inFile
 	CoordinateArray<float>             floats;  ///< 3 a vertex; empty when doublePrecision
 	CoordinateArray<double>            doubles; ///< 3 a vertex; empty otherwise
 	IndexArray                         triangles;
 	bool                               doublePrecision = false;
-	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty where not wanted
+	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty if not wanted
 	std::vector<std::uint8_t> selectedFaces; ///< one a triangle, likewise
-	MeshAttributes            attributes;    ///< empty where not wanted
-	FaceRegions               regions;       ///< that the attributes tell
-	std::vector<std::string>  notes; ///< sentences about oddities that were no reason to refuse
+	MeshAttributes            attributes;    ///< empty if not wanted
+	FaceRegions               regions;       ///< from the attributes
+	std::vector<std::string>  notes; ///< sentences about oddities that are no reason to refuse
 
 	bool        isInFile() const { return inFile.triangles != nullptr; }
 	std::size_t vertexNum() const { return view().vertexNum; }

@@ -13,16 +13,16 @@ namespace gpr::app {
 /// Whether runs with these options sew seams.
 bool isSewn(const RemeshOptions& options);
 
-/// A mesh to be remeshed, with what its result shall have of it.
+/// A mesh to remesh, with the data for its result.
 struct MeshSource {
 	InputMesh                      mesh;
 	std::unique_ptr<TextureSource> texture; ///< or null; looks at the mesh's arrays
 
 	MeshSource() = default;
-	/// Takes the texture out of the attributes, as a run with these options needs it.
+	/// Takes the texture out of the attributes, as a run with these options needs the texture.
 	MeshSource(InputMesh input, const RemeshOptions& options);
 
-	/// What the engine looks at: seams of the texture are lines.
+	/// The view for the engine: seams of the texture are lines.
 	MeshView view() const;
 	/// Whether carrying attributes over takes places of the result's faces, and any places at all.
 	bool needsPointsOfFaces() const { return texture != nullptr || mesh.attributes.ofFacesToo(); }
@@ -31,7 +31,7 @@ struct MeshSource {
 	RemeshOptions withPlaces(const RemeshOptions& options) const;
 };
 
-/// Whether a result is written in double: for a double input, and where a float would not resolve a
+/// Whether a result is written in double: for a double input, and if floats would not resolve a
 /// thousandth of the mean edge.
 bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result);
 

@@ -11,7 +11,7 @@ namespace {
 /// Looking for ears takes up to n³ steps.
 constexpr std::size_t maxClippedCorners = 500;
 
-/// Twice the area vector of a polygon (Newell); also for corners that are not in one plane.
+/// Twice the area vector of a polygon (Newell); also for corners outside of a common plane.
 Vec3d areaVector(const std::vector<Vec3d>& corners)
 {
 	Vec3d sum;
@@ -21,13 +21,13 @@ Vec3d areaVector(const std::vector<Vec3d>& corners)
 	return sum;
 }
 
-/// Twice the area of a triangle seen along the normal, below 0 when it is turned over.
+/// Twice the area of a triangle seen along the normal, below 0 for a turned triangle.
 double signedArea(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& normal)
 {
 	return dot(cross(b - a, c - a), normal);
 }
 
-/// The corners that are left, and what is needed to judge them.
+/// The corners left, and the data to judge each corner.
 struct Remainder {
 	const std::vector<Vec3d>& points;
 	Vec3d                     normal;
@@ -52,7 +52,7 @@ struct Remainder {
 		return true;
 	}
 
-	/// Beginning at the second corner makes a convex polygon a fan around the first one.
+	/// From the second corner on, so that a convex polygon becomes a fan around the first corner.
 	std::size_t findEar() const
 	{
 		for (std::size_t i = 1; i <= corners.size(); ++i) {

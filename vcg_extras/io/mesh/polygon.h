@@ -10,10 +10,10 @@
 
 namespace gpr::app {
 
-/// Cuts a polygon into corners.size() - 2 triangles by clipping ears: a convex one becomes the fan
-/// around its first corner, a concave one is covered without folds. A polygon that crosses itself
-/// or has no area is cut all the same, somehow, and so is one of more than 500 corners: as a fan.
-/// The corners need not be in one plane. triangles receives three corner numbers each.
+/// Cuts a polygon into corners.size() - 2 triangles by clipping ears: a convex polygon becomes the
+/// fan around its first corner, a concave polygon is covered without folds. A polygon that crosses
+/// itself or has no area is cut somehow, and a polygon of more than 500 corners as a fan. The
+/// corners need no common plane. triangles receives three corner numbers each.
 void cutPolygon(const std::vector<Vec3d>& corners, std::vector<std::size_t>& triangles);
 
 } // namespace gpr::app

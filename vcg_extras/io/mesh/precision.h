@@ -10,15 +10,15 @@ namespace gpr::app {
 /// The largest finite coordinate of a mesh, without its sign.
 double largestCoordinate(const MeshView& mesh);
 
-/// Whether floats of that size resolve a thousandth of an edge.
+/// Whether floats of this size resolve a thousandth of an edge.
 bool floatResolves(double largestCoordinate, double edgeLen);
 
 /// Takes the coordinates of a mesh held in double as floats.
 void roundToFloat(InputMesh& mesh);
 
-/// Decides for a mesh read from text, held in double so far, whether float does: it does where it
-/// resolves a thousandth of the mean edge, whatever number of digits the text has. So a text file
-/// gives the same mesh as in MeshLab, and a georeferenced one keeps its detail.
+/// Decides whether float suffices for a mesh read from text, held in double so far: float suffices
+/// if a thousandth of the mean edge is resolved, for any number of digits in the text. So a text
+/// file gives the same mesh as in MeshLab, and a georeferenced mesh keeps its detail.
 void settlePrecision(InputMesh& mesh);
 
 } // namespace gpr::app

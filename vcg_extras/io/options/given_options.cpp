@@ -72,7 +72,7 @@ ParameterValue parseValue(const Parameter& p, const std::string& given)
 	return false;
 }
 
-/// Takes the sign of percent off a largest error; false where there is none.
+/// Takes the percent sign off a largest error; false without the sign.
 bool takePercent(const Parameter& p, std::string& word)
 {
 	if (std::string(p.key) != "MaxError" || word.empty() || word.back() != '%') return false;

@@ -10,14 +10,14 @@
 
 namespace gpr::app {
 
-/// The options of the engine's parameter table that the user gave, their values as words.
+/// The options of the engine's parameter table given by the user, with values as words.
 using GivenOptions = std::map<const Parameter*, std::string>;
 
-/// The default as the user would write it; empty for the size, whose default is a share.
+/// The default in the spelling of the user; empty for the size, whose default is a share.
 std::string defaultText(const Parameter& p);
 
-/// What Python calls it: the option's name with underscores, and other names where Python has a use
-/// of its own for it.
+/// The name in Python: the option's name with underscores, or another name if Python needs the
+/// word.
 std::string pythonName(const Parameter& p, Tool tool);
 
 /// The kind of a parameter in a word, for hosts that read the table.
@@ -26,14 +26,14 @@ const char* kindName(ParameterKind kind);
 /// Whether an option chooses the size of the result; "off" chooses none.
 bool choosesSize(const Parameter& row, const std::string& word);
 
-/// The engine's options from what was given; all others keep their defaults. Throws AppError
-/// (Usage) for values of the wrong kind or out of range, and for more than one size.
+/// The engine's options from the given options; all other options keep their defaults. Throws
+/// AppError (Usage) for values of the wrong kind or out of range, and for more than one size.
 RemeshOptions optionsOf(const GivenOptions& given);
 
-/// The options that textOf has written. Throws AppError (Usage) for others.
+/// The options in a text of textOf. Throws AppError (Usage) for other texts.
 RemeshOptions optionsOfText(const std::string& text);
 
-/// What was given as one writes it, in alphabetical order: "--lambda 2 --percent 5".
+/// The given options in the usual spelling, in alphabetical order: "--lambda 2 --percent 5".
 std::string textOf(const GivenOptions& given, bool (*isWanted)(const Parameter&) = nullptr);
 
 } // namespace gpr::app

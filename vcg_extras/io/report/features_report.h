@@ -10,7 +10,7 @@
 
 namespace gpr::app {
 
-/// All that the texts about a feature detection are made from.
+/// All data for the texts about a feature detection.
 struct FeaturesRecord {
 	std::string              inputPath;
 	std::string              outputPath;
@@ -24,7 +24,7 @@ struct FeaturesRecord {
 /// The report as JSON text. The keys are public: they change with a changelog line.
 std::string featuresJson(const FeaturesRecord& record);
 
-/// What a person wants to know after a run, some lines of text.
+/// The summary after a run, some lines of text.
 std::string featuresText(const FeaturesRecord& record);
 
 } // namespace gpr::app

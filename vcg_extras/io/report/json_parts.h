@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-// What several of the program's JSON texts have in common.
+// The common parts of the program's JSON texts.
 
 namespace gpr::app {
 
@@ -16,17 +16,16 @@ using Json = nlohmann::ordered_json; // keeps the keys in the order of writing
 
 Json programJson();
 Json figuresJson(const MeshFigures& m);
-/// The same with the file's name and precision before them.
+/// The same, after the file's name and precision.
 Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures);
 Json qualityJson(const QualityFigures& q);
-/// Of one direction, in mesh units and in percent of a diagonal; 0 % where that is 0.
+/// Of one direction, in mesh units and in percent of a diagonal; 0 % for the diagonal 0.
 Json distanceJson(const SurfaceDistance& d, double diagonal);
 
 /// Proven bounds of the largest distance, of both directions and of each, in the same units.
 Json boundsJson(const MutualBounds& b, double diagonal);
 
-/// The text of a whole file. What a file name may have made invalid UTF-8 is repaired rather than
-/// refused.
+/// The text of a whole file. Invalid UTF-8 from a file name is repaired rather than refused.
 std::string textOf(const Json& json);
 
 } // namespace gpr::app

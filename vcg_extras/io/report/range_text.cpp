@@ -10,7 +10,7 @@ namespace gpr::app {
 
 namespace {
 
-/// A size of 0 means "off" in the dialog; elsewhere one that is not given is off, and 0 a mistake.
+/// A size of 0 means "off" in the dialog; elsewhere a missing size is off, and 0 a mistake.
 bool isAboveMinimum(const Parameter& p)
 {
 	return isSizeParameter(p) && p.minimum == 0;

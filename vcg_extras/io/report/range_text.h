@@ -9,17 +9,17 @@
 
 namespace gpr::app {
 
-/// A number as a person writes it: no trailing zeros.
+/// A number without trailing zeros.
 std::string plainText(double value);
 
-/// What a row of real numbers takes: "a number", or "auto or a number".
+/// The kind of a row of real numbers: "a number", or "auto or a number".
 std::string numberKind(const Parameter& p);
 
-/// The range of a row of numbers in words, where a size that is given is above 0: " from 0 to
-/// 1000", " above 0, at most 10000".
+/// The range of a row of numbers in words; a given size is above 0: " from 0 to 1000", " above 0,
+/// at most 10000".
 std::string rangeText(const Parameter& p);
 
-/// Whether a value lies in that range; false for NaN.
+/// Whether a value lies in this range; false for NaN.
 bool isInRange(const Parameter& p, double value);
 
 } // namespace gpr::app

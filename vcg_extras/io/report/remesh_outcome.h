@@ -10,13 +10,13 @@
 
 namespace gpr::app {
 
-/// What a run of the engine that ended so makes the program's exit code.
+/// The program's exit code for a status of the engine.
 ExitCode exitCodeOf(Status status);
 
-/// The sentence for a run of the engine that gave no mesh.
+/// The sentence for a run without a mesh.
 std::string sentenceOf(const RemeshResult& result);
 
-/// Throws AppError with the fitting exit code and sentence where a run gave no mesh.
+/// Throws AppError with the fitting exit code and sentence for a run without a mesh.
 void requireMesh(const RemeshResult& result);
 
 } // namespace gpr::app

@@ -35,7 +35,7 @@ const char* modeName(TargetMode mode)
 	return "";
 }
 
-/// The name that the command line has for a value; options.h and the table list them in one order.
+/// The name of a value on the command line; options.h and the table have the same order.
 template <class Value>
 const char* choiceName(const char* key, Value value)
 {
@@ -54,7 +54,7 @@ Json featuresJson(const RemeshOptions& o)
 			{"featureLength", o.featureThresholds.minLength}};
 }
 
-/// The options in force; of the sizes only the one that was used.
+/// The options in force; of the sizes only the used size.
 Json optionsJson(const RemeshOptions& o)
 {
 	Json json = {{"target", modeName(o.targetMode)}};
@@ -104,7 +104,7 @@ Json optionsJson(const RemeshOptions& o)
 	return json;
 }
 
-/// One key a stage of the engine, then the parts that make up the total.
+/// One key a stage of the engine, then the parts of the total.
 Json secondsJson(const std::vector<StageTime>& stages, const RunTimes& times)
 {
 	Json json = Json::object();

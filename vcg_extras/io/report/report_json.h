@@ -11,13 +11,13 @@
 
 namespace gpr::app {
 
-/// One of several files that a run made.
+/// One of several files of a run.
 struct MadeFile {
 	std::string  path;
 	std::int64_t vertices = 0, faces = 0;
 };
 
-/// All that the JSON report of a run is made from.
+/// All data for the JSON report of a run.
 struct RunRecord {
 	std::string              inputPath;
 	std::vector<MadeFile>    files; ///< of several inputs; else empty
@@ -34,7 +34,7 @@ struct RunRecord {
 /// The report of a remeshing as JSON text. The keys are public: they change with a changelog line.
 std::string remeshReportJson(const RunRecord& run);
 
-/// The same of several results of one input: "levels" holds a report each.
+/// The same for several results of one input: "levels" holds a report each.
 std::string levelsReportJson(const std::vector<RunRecord>& levels);
 
 /// The figures of one mesh as JSON text.

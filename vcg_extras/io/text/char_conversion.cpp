@@ -24,7 +24,7 @@ const char* endOfDigits(const char* at, const char* end)
 	return std::find_if_not(at, end, isDigit);
 }
 
-/// Behind the word, in lower or upper case; null where it does not stand there.
+/// The place after the word, in lower or upper case; null for another text.
 const char* behindWord(const char* at, const char* end, std::string_view word)
 {
 	if (std::size_t(end - at) < word.size()) return nullptr;
@@ -33,7 +33,7 @@ const char* behindWord(const char* at, const char* end, std::string_view word)
 	return same ? at + word.size() : nullptr;
 }
 
-/// Behind "e-5"; the same place where there is none.
+/// The place after "e-5"; the same place without an exponent.
 const char* endOfExponent(const char* at, const char* end)
 {
 	if (at == end || (*at != 'e' && *at != 'E')) return at;
@@ -43,7 +43,7 @@ const char* endOfExponent(const char* at, const char* end)
 	return last == digits ? at : last;
 }
 
-/// Behind a decimal number, which strtod would read farther than it goes; null where there is none.
+/// The place after a decimal number, since strtod would read farther; null without a number.
 const char* endOfReal(const char* at, const char* end)
 {
 	if (at != end && *at == '-') ++at;
@@ -94,7 +94,7 @@ struct Scientific {
 	int  digitNum = 0;
 	int  exponent = 0;
 
-	/// With the fewest digits that give back every bit.
+	/// With the fewest digits from which every bit can be read.
 	template <class Real>
 	explicit Scientific(Real value)
 	{

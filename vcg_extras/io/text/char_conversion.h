@@ -6,17 +6,17 @@
 #include <charconv>
 #include <type_traits>
 
-// std::from_chars and std::to_chars, also where the library has them for whole numbers only:
-// libc++, and so emscripten.
+// std::from_chars and std::to_chars for real numbers, also with libc++ (emscripten), whose
+// functions take whole numbers only.
 
 namespace gpr::app {
 
-/// What std::from_chars does with a real number, by strtod.
+/// The same as std::from_chars for a real number, by strtod.
 std::from_chars_result readReal(const char* at, const char* end, double& value);
 std::from_chars_result readReal(const char* at, const char* end, float& value);
 
-/// What std::to_chars writes of a finite number, by printf: the fewest digits that give back every
-/// bit. 40 characters are enough for what is not written with an exponent.
+/// The same as std::to_chars for a finite number, by printf: the fewest digits from which every bit
+/// can be read. 40 characters are enough without an exponent.
 char* writeReal(char* at, double value);
 char* writeReal(char* at, float value);
 

@@ -8,11 +8,11 @@
 
 namespace gpr::app {
 
-/// Reads a whole word as a real number in the C locale ("nan" and "inf" included); false when it is
-/// none. Values too small for a double become 0, too large ones infinite.
+/// Reads a whole word as a real number in the C locale ("nan" and "inf" included); false for other
+/// words. Values too small for a double become 0, too large values infinite.
 bool parseNumber(std::string_view word, double& value);
 
-/// Reads a whole word as a whole number; false when it is none or does not fit.
+/// Reads a whole word as a whole number; false for other words or too large numbers.
 bool parseInteger(std::string_view word, std::int64_t& value);
 
 } // namespace gpr::app

@@ -13,10 +13,10 @@ namespace gpr::app {
 
 namespace {
 
-/// Where the last line ends that does not go on in the next one; 0 where there is none.
+/// The end of the last line that does not go on in the next line; 0 without such a line.
 std::size_t endOfWholeLines(std::string_view text)
 {
-	std::size_t end = text.rfind('\n') + 1; // 0 where there is no end of a line
+	std::size_t end = text.rfind('\n') + 1; // 0 without an end of a line
 	while (end > 0) {
 		const std::size_t begin = end > 1 ? text.rfind('\n', end - 2) + 1 : 0;
 		if (!goesOn(text.substr(begin, end - begin))) return end;

@@ -12,25 +12,25 @@
 
 namespace gpr::app {
 
-/// The first bytes of a file, or all where it has fewer. Throws AppError (BadInput) where it cannot
-/// be read.
+/// The first bytes of a file, or the whole shorter file. Throws AppError (BadInput) if the file
+/// cannot be read.
 std::string beginOfFile(const std::string& path, std::size_t most = std::size_t(1) << 20);
 
-/// Reads a text file of any size once, from begin to end, by pieces that end at the end of a line,
-/// and not at one that goes on (see goesOn). Throws AppError (BadInput) where the file cannot be
-/// read or a line is longer than 64 MB. Memory: one piece.
+/// Reads a text file of any size once, from begin to end, by pieces of whole lines; no piece ends
+/// at a line that goes on (see goesOn). Throws AppError (BadInput) if the file cannot be read or a
+/// line is longer than 64 MB. Memory: one piece.
 class TextPieces {
 public:
-	/// from: bytes to pass over, which have that many lines.
+	/// from: bytes to pass over, which have so many lines.
 	explicit TextPieces(const std::string& path, std::uint64_t from = 0, std::size_t lineNum = 0,
 						std::size_t pieceBytes = usualPieceBytes);
 
-	/// The next piece; empty at the end of the file, where the last one stays valid.
+	/// The next piece; empty at the end of the file; the last piece then stays valid.
 	std::string_view next();
 
-	/// Lines of the file before the last piece that was given.
+	/// Lines of the file before the last returned piece.
 	std::size_t linesBefore() const { return linesBefore_; }
-	/// Of the file, behind that piece.
+	/// Bytes of the file after this piece.
 	std::uint64_t bytesLeft() const { return unread_ + (filled_ - pieceEnd_); }
 
 private:
