@@ -135,7 +135,7 @@ Parameter sideBySide()
 	return row;
 }
 
-/// What MeshLab's dialogs ask beside the engine's options; they stand before those for experts.
+/// The rows of MeshLab's dialogs beside the engine's options, before the rows for experts.
 Rows ownRowsOf(Filter filter)
 {
 	switch (filter) {

@@ -26,7 +26,8 @@ constexpr int kStaleMask =
 
 constexpr int kTextureMask = MeshModel::MM_VERTTEXCOORD | MeshModel::MM_WEDGTEXCOORD;
 
-/// Where samples most likely are: the newest other layer of points, or else the newest other one.
+/// The most likely layer of the samples: the newest other layer of points, or else the newest other
+/// layer.
 int likelySampleLayer(const MeshDocument& document)
 {
 	int likely = -1;
@@ -73,7 +74,7 @@ QString numberAndLabel(const MeshModel& layer)
 			.toStdString());
 }
 
-/// A sentence about what a layer has and the result has not; empty where nothing was lost.
+/// A sentence about attributes of a layer that the result lacks; empty without losses.
 std::string lossesOf(const MeshModel& layer, std::vector<std::string> lost)
 {
 	if (layer.dataMask() & (MeshModel::MM_VERTCURV | MeshModel::MM_VERTCURVDIR)) {
@@ -281,7 +282,7 @@ void LayerJob::putPoints(const gpr::SamplingResult& result, const char* suffix) 
 	fill(addLayer(source, carried, suffix), built, carried);
 }
 
-/// place: how many widths of the input beside it, where results are moved apart.
+/// place: the distance from the input in widths of the input, for results moved apart.
 void LayerJob::addCompared(const MeshModel& source, const ComparedResult& result,
 						   const char* suffix, int place, double largestDeviation) const
 {

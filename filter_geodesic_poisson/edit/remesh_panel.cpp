@@ -34,7 +34,7 @@ constexpr const char* kShownKeys[] = {
 	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "Regions", "NewLayer"};
 /// Other ways to give the size: a value above 0 takes the place of the count.
 constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
-/// The row of the slider, and the row that the slider stands for where it counts faces.
+/// The row of the slider, and the row for a slider that counts faces.
 constexpr const char* kVertices       = "TargetVertexNum";
 constexpr const char* kFaces          = "TargetFaceNum";
 constexpr int         kFacesPerVertex = 2;
@@ -173,7 +173,7 @@ bool RemeshPanel::countsFaces() const
 	return std::get<std::int64_t>(values_.at(kFaces)) > 0;
 }
 
-/// The number that the slider stands for, in vertices and in what is counted.
+/// The number of the slider, in vertices and in the counted unit.
 std::int64_t RemeshPanel::countOnSlider() const
 {
 	return countAt(countSlider_->value(), facts_) * (countsFaces() ? kFacesPerVertex : 1);

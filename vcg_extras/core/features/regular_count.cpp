@@ -23,7 +23,7 @@ constexpr double alwaysSpoilt = 0.2, neverSpoilt = 0.6;
 /// The largest number of faces on a way across a strip.
 constexpr int maxCrossings = 500;
 
-/// One side of a sharp edge with a narrow strip beside it.
+/// A side of a crease edge with a narrow strip.
 struct Side {
 	float width; ///< of the strip
 	float length;

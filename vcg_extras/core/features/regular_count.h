@@ -9,12 +9,12 @@
 namespace gpr {
 
 /// Forecasts the edge length at which about 95 % of the triangles have no angle below 30°.
-/// Triangles that are much wider than the strip between two sharp edges cannot be regular. Such a
-/// strip holds one triangle for each edge length along each of its two sides. So the share of these
+/// Triangles much wider than the strip between two crease edges cannot be regular. Such a strip
+/// holds one triangle for each edge length along each of its two sides. So the share of these
 /// triangles at the edge length h is h √3 / 4 times the length of the sides with a strip narrower
 /// than about h / 2, over the area. Returns the largest such h up to `edge`. angle: of the normals
-/// at a sharp edge, radians; borders count as sharp edges. Lengths in working units. Cost: the
-/// faces crossed within half an `edge` of the sharp edges, parallel.
+/// at a crease edge, radians; borders count as crease edges. Lengths in working units. Cost: the
+/// faces crossed within half an `edge` of the crease edges, parallel.
 float edgeForRegularity(const HalfEdgeMesh& mesh, double area, float edge, float angle,
 						Workers& workers);
 

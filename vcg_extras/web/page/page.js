@@ -38,7 +38,7 @@ function tellFailure(error) {
 	if (error.name !== "AbortError") tell(error.message.replace(/^./, (c) => c.toUpperCase()), true);
 }
 
-// Which engines work, and what they have of memory.
+// The number of working threads, and the memory of the engines.
 function tellEngines() {
 	const megabytes = Math.round((drafts.memory + results.memory) / 1e6);
 	$("engine").textContent = `${threadNum > 1 ? threadNum + " threads work" : "One thread works"}, with ${megabytes} MB of memory.`;
