@@ -28,7 +28,7 @@ ExitCode exitCodeOf(Status status)
 
 std::string sentenceOf(const RemeshResult& result)
 {
-	if (result.message.empty()) return "the remeshing failed, for a reason it did not tell.";
+	if (result.message.empty()) return "the remeshing failed without a sentence.";
 	const std::string smallest = std::to_string(result.smallestVertexNum);
 	const bool        named    = result.message.find(smallest) != std::string::npos;
 	if (result.status != Status::CountTooSmall || named) return result.message;

@@ -273,8 +273,9 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 					 "Number of tiles; by default as the memory allows")
 		->check(CLI::Range(1, 10000))
 		->type_name("T");
-	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
-	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
+	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and writes all tiles.");
+	CLI::App* const part =
+		addTileStep(*tile, line, TileStep::Part, "part", "Condenses a single tile.");
 	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
 	addTableOptions(*part, RemeshTool, given, isForStep);
 	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
