@@ -93,10 +93,9 @@ Parameter qualitySizes()
 Parameter period(const char* key, const char* label)
 {
 	Parameter row    = ownRow(key, ParameterKind::Length, label,
-							  "The length of a periodic cell along this axis, in mesh units. The "
-								 "vertices at opposite borders match after adding the length, and the "
-								 "boundary is matched. Refused where the borders are no translates of "
-								 "one another. 0: there is no period.");
+							  "The length of a periodic cell along this axis, in mesh units. Vertices "
+								 "at opposite borders match after adding the length. Opposite borders "
+								 "with different shapes are refused. 0: no period.");
 	row.maximum      = 1e300;
 	row.defaultValue = [](const gpr::MeshFacts&) { return gpr::ParameterValue(0.0); };
 	return row;

@@ -87,10 +87,9 @@ std::string lossesOf(const MeshModel& layer, std::vector<std::string> lost)
 std::string warningAbout(const Matrix44m& transform)
 {
 	if (!scalesUnevenly(transform)) return std::string();
-	return "The layer's transform scales unevenly: the triangles are regular in the layer's own "
-		   "coordinates, not as they are shown. \"Matrix: Freeze Current Matrix\" before this "
-		   "filter "
-		   "makes them regular as shown.";
+	return "The layer's transform scales unevenly: the triangles are regular in the coordinates of "
+		   "the layer, but not on the screen. \"Matrix: Freeze Current Matrix\" before this filter "
+		   "makes the triangles on the screen regular.";
 }
 
 /// carried: the attributes that `built` has.
@@ -163,10 +162,10 @@ LayerCopy copyFor(const MeshModel& layer, const ReadParameters& read,
 	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) != QualitySizes::Nothing)
 		copy.sizes = wantedSizesOf(layer);
 	if (parts.facesCorners && !copy.view().anySelected()) {
-		throw Refusal("The feature region shall be the selection, but nothing is selected.");
+		throw Refusal("The feature region is the selection, but nothing is selected.");
 	}
 	if (parts.edgeSelection && copy.selectedEdges.empty()) {
-		throw Refusal("The feature lines shall be the selected edges, but no edge is selected.");
+		throw Refusal("The feature lines are the selected edges, but no edge is selected.");
 	}
 	if (parts.faceSelection && !copy.anyFaceSelected()) {
 		throw Refusal("Cannot apply only on selection: no face is selected.");
@@ -233,7 +232,7 @@ std::string LayerJob::sentenceOfSelectedFaces() const
 {
 	if (_options.selectedOnly || !_anyFaceSelected) return std::string();
 	return "Faces are selected, but the whole layer was remeshed. \"Only the selected faces\" "
-		   "remeshes those alone.";
+		   "remeshes the selected faces only.";
 }
 
 MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix,

@@ -475,12 +475,13 @@ TEST_F(TileRun, DamagedFilesAreToldNotUsed)
 		std::string       bad  = good;
 		bad[bad.size() / 2]    = char(bad[bad.size() / 2] ^ 8);
 		put(name, bad);
-		expectFailure(run({"tile", "join", path("run")}), 3, "not as it was written");
+		expectFailure(run({"tile", "join", path("run")}), 3, "differs from the written file");
 		put(name, good);
 	}
 	std::filesystem::remove(path("run/part1.json"));
 	put("run/tile1.ply", content(path("run/tile1.ply")).substr(0, 500));
-	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "not as it was written");
+	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3,
+				  "differs from the written file");
 	put("run/split.json", "{");
 	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "damaged");
 }

@@ -94,7 +94,7 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 	// Faces without area may hold a surface together, and then no other faces can; a check asked
 	// for may find what it looks for. Sheets at one place cannot be kept apart.
 	const bool isWithheld = status == Status::PromiseBroken &&
-							(message.find("without area") != std::string::npos ||
+							(message.find("degenerate faces") != std::string::npos ||
 							 message.find("self-intersecting") != std::string::npos ||
 							 message.find("other junctions") != std::string::npos);
 	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace gpr {
 
@@ -121,8 +122,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		 label,
 		 help,
 		 "",
-		 isLength ? "With a percent sign, as 0.2%, it is a share of the diagonal." : "",
-		 isLength ? "As text with a percent sign, as \"0.2%\", it is a share of the diagonal." : "",
+		 isLength ? "With a percent sign (0.2%) the value is a share of the diagonal." : "",
+		 isLength ? "A text with a percent sign (\"0.2%\") is a share of the diagonal." : "",
 		 0,
 		 1,
 		 {},
@@ -130,7 +131,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		 nullptr,
 		 tools,
 		 false,
-		 false}};
+		 false,
+		 everydayGroup}};
 }
 
 using Table = std::vector<Parameter>;
@@ -546,6 +548,18 @@ void addPaperSteps(Table& t)
 			.p);
 }
 
+/// Adds rows for experts.
+void addGroup(Table& t, const char* group, std::initializer_list<void (*)(Table&)> rows)
+{
+	const std::size_t first = t.size();
+	for (void (*add)(Table&) : rows)
+		add(t);
+	for (std::size_t i = first; i < t.size(); ++i) {
+		t[i].isExpert = true;
+		t[i].group    = group;
+	}
+}
+
 } // namespace
 
 std::vector<Parameter> makeParameterTable()
@@ -559,17 +573,11 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureDisks(table);
 	addBoundary(table);
 	addSelected(table);
-	const std::size_t everydayNum = table.size();
-	addFeatureRegion(table);
-	addFeatureThresholds(table);
-	addCount(table);
-	addUnits(table);
-	addSymmetry(table);
-	addCleaning(table);
-	addRun(table);
-	addPaperSteps(table);
-	for (std::size_t i = everydayNum; i < table.size(); ++i)
-		table[i].isExpert = true;
+	addGroup(table, "Feature region and feature lines", {addFeatureRegion, addFeatureThresholds});
+	addGroup(table, "Number of vertices and local size", {addCount, addUnits});
+	addGroup(table, "Input mesh", {addSymmetry, addCleaning});
+	addGroup(table, "Run", {addRun});
+	addGroup(table, "Preset paper", {addPaperSteps});
 	return table;
 }
 

@@ -37,6 +37,9 @@ struct PercentOfDiagonal {
 /// The name of Automatic in texts.
 constexpr const char* automaticName = "auto";
 
+/// The group of the parameters that everybody sees.
+constexpr const char* everydayGroup = "Options";
+
 /// A value; std::int64_t for a Choice.
 using ParameterValue = std::variant<std::int64_t, double, bool, Automatic, PercentOfDiagonal>;
 
@@ -73,9 +76,10 @@ struct Parameter {
 	ParameterValue (*defaultValue)(const MeshFacts&);
 	/// Writes a value to the options; null in rows that belong to a single host.
 	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned tools;       ///< the Tool bits that offer the parameter
-	bool     isExpert;    ///< shown on demand only in dialogs with many parameters
-	bool     isAutomatic; ///< a Number that is Automatic by default
+	unsigned    tools;       ///< the Tool bits that offer the parameter
+	bool        isExpert;    ///< any other group than everydayGroup: shown on demand only
+	bool        isAutomatic; ///< a Number that is Automatic by default
+	const char* group;       ///< the heading above the parameter in --help-all
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.

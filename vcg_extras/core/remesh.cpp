@@ -139,7 +139,8 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	if (call.input.wantedEdge != nullptr) {
 		throw Failure(
 			Status::BadOptions,
-			"Wanted edge lengths cannot be kept beside matched borders, which have one length.");
+			"Wanted edge lengths are not possible with matched borders, whose edges have one "
+			"length.");
 	}
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0) || !validate(call.options).empty())

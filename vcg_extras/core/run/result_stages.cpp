@@ -242,8 +242,8 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 		made.result      = std::move(withLines);
 	}
 	else {
-		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
-				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
+		run.tell("Some feature lines are too close to each other for good angles; " +
+				 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
 	}
 	return {};
 }
@@ -291,13 +291,11 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 void tellMade(RunContext& run, const Products& made)
 {
 	if (!made.hasMadeVertices) return;
-	run.tell(
-		"Triangles would intersect each other where the surface is thinner than they are wide, so "
-		"that " +
-		std::to_string(made.guarded.vertexNum) + " of the " +
-		std::to_string(made.result.vertexNum()) +
-		" vertices were made by guarded edge collapses of the input. The triangles there are less "
-		"regular.");
+	run.tell("At thin places of the surface the triangles would intersect each other. Guarded edge "
+			 "collapses of the input made " +
+			 std::to_string(made.guarded.vertexNum) + " of the " +
+			 std::to_string(made.result.vertexNum()) +
+			 " vertices, at these places. The triangles there are less regular.");
 }
 
 namespace {
@@ -311,8 +309,8 @@ void tellCutJunctions(RunContext& run, const Products& made)
 	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
 		return;
 	run.tell(
-		"Curves along which more than two faces meet were cut, and what met there is apart now. "
-		"--junctions keep would mesh them once for all sheets, which stay joined.");
+		"Edges with more than two faces were cut, so the sheets there are separate now. The option "
+		"junctions with the value keep meshes these edges once for all sheets, which stay joined.");
 }
 
 } // namespace

@@ -28,7 +28,7 @@ ExitCode exitCodeOf(Status status)
 
 std::string sentenceOf(const RemeshResult& result)
 {
-	if (result.message.empty()) return "the remeshing failed, for a reason it did not tell.";
+	if (result.message.empty()) return "the remeshing failed without a sentence.";
 	return result.message;
 }
 

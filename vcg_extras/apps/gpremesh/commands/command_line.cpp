@@ -48,14 +48,13 @@ void checkPieces(const CommandLine& line)
 	for (const std::string& piece : line.pieces) {
 		formatOfPath(piece);
 		if (!names.insert(pathOfPiece(line, piece)).second)
-			failUsage("Two of the files have the same name; DIR has place for one of them.");
+			failUsage("Two of the files have the same name, so DIR cannot hold both results.");
 	}
-	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
+	if (line.options.selectedOnly) failUsage("--selected is for a single file only.");
 	if (!line.options.sew)
-		failUsage(
-			"Several files are joined where their borders coincide; --sew off is not for them.");
+		failUsage("Several files are joined along coinciding borders; --sew off is not possible.");
 	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
-		failUsage("Tiles are made of one file only.");
+		failUsage("Tiles are made from a single file only.");
 	checkReport(line);
 }
 
@@ -87,7 +86,7 @@ void checkPaths(const CommandLine& line)
 	if (line.outTileNum > 0) return checkReport(line);
 	const MeshFormat written = formatOfPath(line.output);
 	if (line.command == Command::Features && written != MeshFormat::Ply) {
-		failUsage("features writes .ply only, the one format here that holds quality and colour.");
+		failUsage("features writes .ply only, the only format with quality and colour.");
 	}
 	checkReport(line);
 }

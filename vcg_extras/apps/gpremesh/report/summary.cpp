@@ -20,7 +20,7 @@ std::string countsText(const MeshFigures& m)
 {
 	return counted(m.vertices, "vertex", "vertices") + ", " + counted(m.faces, "face", "faces") +
 		   ", " + counted(m.components, "component", "components") + ", " +
-		   counted(m.boundaryLoops, "boundary loop", "boundary loops");
+		   counted(m.boundaryLoops, "border loop", "border loops");
 }
 
 std::string qualityText(const QualityFigures& q)
@@ -65,7 +65,7 @@ std::string provenText(const MutualBounds& proven, double diagonal)
 {
 	const DistanceBounds b       = proven.hausdorff();
 	const double         percent = diagonal > 0 ? 100 / diagonal : 0;
-	return formatted("error    proven: the largest distance of either from the other is between "
+	return formatted("error    proven: the largest distance between input and result is between "
 					 "%.4g and %.4g\n         (%.4f and %.4f %% of the diagonal)%s\n",
 					 b.lower, b.upper, percent * b.lower, percent * b.upper,
 					 b.isBudgetSpent ? "; the budget of the proof was spent" : "");
@@ -91,8 +91,8 @@ std::string remeshSummary(const RunRecord& run)
 		text += "         " + file.path + ": " + counted(file.vertices, "vertex", "vertices") +
 				", " + counted(file.faces, "face", "faces") + "\n";
 	if (run.report.untouchedFaceNum > 0)
-		text += "         all of the selected part; " +
-				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";
+		text += "         all figures are of the selected part; " +
+				counted(run.report.untouchedFaceNum, "face", "faces") + " stayed unchanged\n";
 	text += "quality  " + qualityText(run.report.quality) + "\n";
 	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
 	if (run.report.isDistanceProven)
