@@ -114,25 +114,24 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
 	const bool isLength = kind == ParameterKind::Length;
-	return {
-		{key,
-		 option,
-		 argument,
-		 kind,
-		 label,
-		 help,
-		 "",
-		 isLength ? "With a percent sign (0.2%) the value is a share of the diagonal." : "",
-		 isLength ? "A text with a percent sign (\"0.2%\") is a share of the diagonal." : "",
-		 0,
-		 1,
-		 {},
-		 zero,
-		 nullptr,
-		 tools,
-		 false,
-		 false,
-		 everydayGroup}};
+	return {{key,
+			 option,
+			 argument,
+			 kind,
+			 label,
+			 help,
+			 "",
+			 isLength ? "With a percent sign (0.2%) the value is a share of the diagonal." : "",
+			 isLength ? "A text with a percent sign (\"0.2%\") is a share of the diagonal." : "",
+			 0,
+			 1,
+			 {},
+			 zero,
+			 nullptr,
+			 tools,
+			 false,
+			 false,
+			 everydayGroup}};
 }
 
 using Table = std::vector<Parameter>;

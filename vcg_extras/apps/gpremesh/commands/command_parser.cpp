@@ -167,7 +167,8 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"levels", "Remeshes IN to several sizes, such as levels of detail, and writes a file for\n"
 				  "each size. IN is read and prepared once. Each level has a proven bound of the\n"
 				  "distance from IN.");
-	levels->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
+	levels
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	levels
 		->add_option("OUT", line.output,
@@ -213,7 +214,8 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"compare",
 		"Remeshes IN with these options, with the preset paper and by MeshLab's Quadric\n"
 		"Edge Collapse. Prints a table of times, distances from IN and triangle quality.");
-	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
+	compare
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	addInGroups(*compare, tableOptions(RemeshTool, given, isForCompare));
 	compare->add_flag("--isotropic", line.isotropic,
@@ -238,7 +240,8 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"features",
 		"Detects crease edges and cone apexes of IN. OUT is the same mesh with the strength of\n"
 		"each vertex, in degrees, as quality and as colour, and with the features selected.");
-	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
+	features
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	features->add_option("OUT", line.output, "Mesh to write: .ply; may be IN")->required();
 	addTableOptions(*features, FeatureTool, given);
