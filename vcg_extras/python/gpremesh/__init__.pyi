@@ -34,7 +34,7 @@ def remesh(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -50,8 +50,8 @@ def remesh(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float = 0.0,
-    max_edge: float = 0.0,
+    min_edge: float | str = 0.0,
+    max_edge: float | str = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -114,7 +114,8 @@ def remesh(
         needs more vertices, the result has more.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. If the topology needs more
-        vertices, the result has more.
+        vertices, the result has more. A text with a percent sign ("0.2%") is a share of the
+        diagonal.
     max_error : float, optional
         Searches the smallest number of vertices with a proven largest distance between result and
         input, in both directions, of at most this length in mesh units. The search makes at most
@@ -190,11 +191,13 @@ def remesh(
         If the topology does not allow the wanted number of vertices or faces, the nearest possible
         number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        The smallest local size, in mesh units.
+        The smallest local size, in mesh units. A text with a percent sign ("0.2%") is a share of
+        the diagonal.
     max_edge : float, default 0.0
         The largest local size, in mesh units. Without a size of the result, this is the size of all
         places that nothing else makes smaller, and decides the number of vertices. Single edges may
-        be a fifth longer than their local size.
+        be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
+        the diagonal.
     growth : float, default 1.15
         The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
         angles.
@@ -278,7 +281,7 @@ def remesh_together(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -294,8 +297,8 @@ def remesh_together(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float = 0.0,
-    max_edge: float = 0.0,
+    min_edge: float | str = 0.0,
+    max_edge: float | str = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -335,7 +338,8 @@ def remesh_together(
         needs more vertices, the result has more.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. If the topology needs more
-        vertices, the result has more.
+        vertices, the result has more. A text with a percent sign ("0.2%") is a share of the
+        diagonal.
     max_error : float, optional
         Searches the smallest number of vertices with a proven largest distance between result and
         input, in both directions, of at most this length in mesh units. The search makes at most
@@ -411,11 +415,13 @@ def remesh_together(
         If the topology does not allow the wanted number of vertices or faces, the nearest possible
         number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        The smallest local size, in mesh units.
+        The smallest local size, in mesh units. A text with a percent sign ("0.2%") is a share of
+        the diagonal.
     max_edge : float, default 0.0
         The largest local size, in mesh units. Without a size of the result, this is the size of all
         places that nothing else makes smaller, and decides the number of vertices. Single edges may
-        be a fifth longer than their local size.
+        be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
+        the diagonal.
     growth : float, default 1.15
         The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
         angles.
@@ -493,7 +499,7 @@ def sample(
     progress: Callable[[float, str], Any] | None = None,
     count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
     lambda_: float = 0.0,
@@ -531,7 +537,8 @@ def sample(
         needs more vertices, the result has more.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. If the topology needs more
-        vertices, the result has more.
+        vertices, the result has more. A text with a percent sign ("0.2%") is a share of the
+        diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
