@@ -83,10 +83,11 @@ void remesh(const gpr::MeshView& input, const gpr::RemeshOptions& options, const
 
 [[noreturn]] void refuseCount(std::size_t reached, std::size_t wanted)
 {
-	throw Refusal("Quadric Edge Collapse ended at " + std::to_string(reached) +
-				  " faces and cannot reach the " + std::to_string(wanted) +
-				  " of the other result, so there is nothing to compare. It only takes faces away: "
-				  "ask for another number of vertices.");
+	throw Refusal(
+		"Quadric Edge Collapse ended at " + std::to_string(reached) +
+		" faces and cannot reach the " + std::to_string(wanted) +
+		" faces of the other result, so a comparison is not possible. Quadric Edge Collapse "
+		"only removes faces: ask for another number of vertices.");
 }
 
 /// A step of Quadric Edge Collapse removes a face or two, and the clean-up some more.

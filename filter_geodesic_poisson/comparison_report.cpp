@@ -118,7 +118,7 @@ void addDistances(Table& table)
 void addTopology(Table& table)
 {
 	table.ofMeshes("components", [](const MeasuredMesh& m) { return count(m.figures.components); });
-	table.ofMeshes("boundary loops",
+	table.ofMeshes("border loops",
 				   [](const MeasuredMesh& m) { return count(m.figures.boundaryLoops); });
 	table.ofMeshes("Euler characteristic",
 				   [](const MeasuredMesh& m) { return count(m.figures.eulerCharacteristic); });
@@ -157,11 +157,11 @@ std::vector<std::string> comparisonLines(const Comparison& comparison)
 	addShapes(table);
 	addDistances(table);
 	addTopology(table);
-	table.add(
-		"Poisson: Geodesic Poisson Disk, on " + count(comparison.report.threads) +
-		" threads; quadrics: MeshLab's Quadric Edge Collapse with what its dialog proposes, "
-		"on one. Distances: the larger one of both ways; 99.9 % of the points are nearer than "
-		"p99.9; 2r/R and aspect ratio are 1 for equilateral triangles");
+	table.add("Poisson: Geodesic Poisson Disk, on " + count(comparison.report.threads) +
+			  " threads; quadrics: MeshLab's Quadric Edge Collapse with the values of its dialog, "
+			  "on one thread. Distances: the larger of both directions; 99.9 % of the points are "
+			  "nearer than "
+			  "p99.9; 2r/R and aspect ratio are 1 for equilateral triangles");
 	return table.lines;
 }
 

@@ -64,6 +64,54 @@ Parameter newLayer()
 	return row;
 }
 
+Parameter regions()
+{
+	Parameter row = ownRow("Regions", ParameterKind::Choice, "Regions",
+						   "What tells the regions that faces belong to, as materials or patches. "
+						   "Edges of the result follow the borders between regions, and its faces "
+						   "have the same attribute. off: nothing. texture: the index of the "
+						   "texture. colour: the colour of the faces; each colour is a region. "
+						   "quality: the quality of the faces, in whole numbers.");
+	row.choices   = {"off", "texture", "colour", "quality"};
+	row.maximum   = 3;
+	return row;
+}
+
+Parameter qualitySizes()
+{
+	Parameter row = ownRow("QualitySizes", ParameterKind::Choice, "Sizes from the vertex quality",
+						   "Whether the quality of each vertex says which edge length is wanted "
+						   "there. off: no. exact: the quality is the length in mesh units, and "
+						   "the number of vertices follows. scaled: the lengths have the ratios "
+						   "of the quality, and the result the number of vertices or the other "
+						   "size that is asked for. The quality must be above 0.");
+	row.choices   = {"off", "exact", "scaled"};
+	row.maximum   = 2;
+	return row;
+}
+
+Parameter period(const char* key, const char* label)
+{
+	Parameter row    = ownRow(key, ParameterKind::Length, label,
+							  "The length of a periodic cell along this axis, in mesh units. Vertices "
+								 "at opposite borders match after adding the length. Opposite borders "
+								 "with different shapes are refused. 0: no period.");
+	row.maximum      = 1e300;
+	row.defaultValue = [](const gpr::MeshFacts&) { return gpr::ParameterValue(0.0); };
+	return row;
+}
+
+Rows expertRowsOf(Filter filter)
+{
+	if (filter != RemeshFilter) return {};
+	Rows rows = {qualitySizes(), period("PeriodX", "Period along x (0 = none)"),
+				 period("PeriodY", "Period along y (0 = none)"),
+				 period("PeriodZ", "Period along z (0 = none)")};
+	for (Parameter& row : rows)
+		row.isExpert = true;
+	return rows;
+}
+
 Parameter colorBy()
 {
 	Parameter row = ownRow("ColorBy", ParameterKind::Choice, "Colour by",
@@ -86,11 +134,12 @@ Parameter sideBySide()
 	return row;
 }
 
-/// What MeshLab's dialogs ask beside the engine's options; they stand before those for experts.
+/// The rows of MeshLab's dialogs beside the engine's options, before the rows for experts.
 Rows ownRowsOf(Filter filter)
 {
 	switch (filter) {
 	case RemeshFilter:
+		return {newLayer(), regions()};
 	case RetriangulateFilter:
 		return {newLayer()};
 	case CompareFilter:
@@ -114,7 +163,9 @@ Rows makeRows(Filter filter)
 	for (const Parameter& row : gpr::parametersOf(toolOf(filter))) {
 		if (isOffered(row, filter)) rows.push_back(row);
 	}
-	const Rows own = ownRowsOf(filter);
+	Rows       own        = ownRowsOf(filter);
+	const Rows forExperts = expertRowsOf(filter);
+	own.insert(own.end(), forExperts.begin(), forExperts.end());
 	const auto first =
 		std::find_if(rows.begin(), rows.end(), [](const Parameter& row) { return row.isExpert; });
 	rows.insert(first, own.begin(), own.end());

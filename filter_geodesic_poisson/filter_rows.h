@@ -3,8 +3,8 @@
 #ifndef FILTER_GEODESIC_POISSON_FILTER_ROWS_H
 #define FILTER_GEODESIC_POISSON_FILTER_ROWS_H
 
-// The parameters of MeshLab's filters: those of the engine, and MeshLab's own. Knows nothing of
-// MeshLab, so that the reference can be made without it.
+// The parameters of MeshLab's filters: parameters of the engine, and MeshLab's own. Independent of
+// MeshLab, so that the reference can be made without MeshLab.
 
 #include <vcg_extras/core/parameters.h>
 
@@ -15,7 +15,7 @@
 
 namespace gpr_filter {
 
-/// The filters. The numbers are those that the host's actions have.
+/// The filters, with the numbers of the host's actions.
 enum Filter : unsigned {
 	RemeshFilter        = gpr::RemeshTool,
 	SamplingFilter      = gpr::SamplingTool,
@@ -24,14 +24,25 @@ enum Filter : unsigned {
 	CompareFilter       = 16, ///< remeshing and Quadric Edge Collapse, beside each other
 };
 
-/// What the results of a comparison are coloured by.
+/// The colours of the results of a comparison.
 enum class ComparedBy { Quality, Distance, Nothing };
+
+/// The source of the labels of faces.
+enum class RegionSource { Nothing, Texture, Colour, Quality };
+
+/// The meaning of the quality of the vertices for sizes.
+enum class QualitySizes {
+	Nothing,
+	Exact, ///< it is the edge length wanted there
+	Scaled ///< it is so up to a factor that the wanted number sets
+};
 
 /// The engine's function that a filter runs.
 gpr::Tool toolOf(Filter filter);
 
-/// The parameters of a filter, in the order in which its dialog shows them. Those that the engine
-/// does not know have no `store`: SampleLayer, NewLayer, ColorBy and SideBySide.
+/// The parameters of a filter, in the order of its dialog. Parameters unknown to the engine have no
+/// `store`: SampleLayer, NewLayer, Regions, QualitySizes, PeriodX, PeriodY, PeriodZ, ColorBy and
+/// SideBySide.
 const std::vector<gpr::Parameter>& rowsOf(Filter filter);
 
 /// The row of the remeshing with this key, which must exist.
@@ -40,10 +51,10 @@ const gpr::Parameter& remeshRow(const std::string& key);
 /// Values of rows by their keys, of a type that goes with the row.
 using GivenValues = std::map<std::string, gpr::ParameterValue>;
 
-/// MeshLab's widgets and scripts have numbers only: this one stands for gpr::Automatic.
+/// MeshLab's widgets and scripts have numbers only: this number means gpr::Automatic.
 constexpr double kAutomaticNumber = -1;
 
-/// What a dialog calls a row: its label, and which number is the automatic one.
+/// The text of a row in a dialog: its label, and the automatic number.
 std::string dialogLabel(const gpr::Parameter& row);
 
 } // namespace gpr_filter

@@ -105,10 +105,10 @@ RunOutcome compare(const LayerJob& job, vcg::CallBackPos* progress)
 	return {true, lines, comparisonFigures(comparison)};
 }
 
-/// Of Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
+/// Of Quadric Edge Collapse in MeshLab, always on one thread.
 constexpr double kCollapseMicrosecondsPerFace = 10;
 
-/// No MeshLab host can cancel a filter, so the log tells beforehand what it will take.
+/// No MeshLab host can cancel a filter, so the log tells the expected time and memory beforehand.
 std::string estimateLine(Filter filter, const LayerJob& job)
 {
 	gpr::RemeshOptions options = job.options();

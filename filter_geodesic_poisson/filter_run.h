@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_FILTER_RUN_H
 #define FILTER_GEODESIC_POISSON_FILTER_RUN_H
 
-// What all versions' adapters do when a filter is applied.
+// The common work of the adapters of all versions when a filter is applied.
 
 #include "filter_rows.h"
 #include "meshlab_api.h"
@@ -15,9 +15,9 @@
 
 namespace gpr_filter {
 
-/// What of MeshModel's masks a layer must have for any of the filters.
+/// The masks of MeshModel that a layer must have for any of the filters.
 constexpr int kPreCondition = MeshModel::MM_FACENUMBER;
-/// What of MeshModel's masks a filter changes.
+/// The masks of MeshModel that a filter changes.
 int postConditionOf(Filter filter);
 
 /// How a run ended.
@@ -25,7 +25,7 @@ struct RunOutcome {
 	bool done = false; ///< false: the document is as it was
 	/// One line or sentence each: for the log when it was done, else for the user and the log.
 	std::vector<std::string> lines;
-	Figures                  figures; ///< for programs; empty where it was not done
+	Figures                  figures; ///< for programs; empty after a failure
 };
 
 /// Takes a line for the host's log.
@@ -34,8 +34,8 @@ using LogLine = std::function<void(const std::string&)>;
 /// Applies one filter after the other.
 class FilterRunner {
 public:
-	/// Applies a filter to the document's current layer; before the work begins `log` is
-	/// told what it will take. Never throws. A call from within the progress callback of another is
+	/// Applies a filter to the document's current layer; before the work `log` gets the estimate of
+	/// time and memory. Never throws. A call from within the progress callback of another call is
 	/// refused: the host's progress bar handles events, so Apply can be pressed again while a
 	/// filter runs.
 	RunOutcome run(Filter filter, MeshDocument& document, const RichParameterList& list,

@@ -25,11 +25,11 @@ const FilterText remeshing = {
 const FilterText sampling = {
 	"Sampling: Geodesic Poisson Disk",
 	"generate_sampling_geodesic_poisson_disk",
-	"Makes a new layer of points on the surface. They are as dense as possible while no two of "
-	"them are nearer than the disk radius, measured along the surface. Their number is within "
-	"about a tenth of the wanted one.<br>"
-	"The quality of a point is the radius of its disk. Its normal is that of the surface. Vertex "
-	"colour is carried over. \"Remeshing: Retriangulate from Samples\" makes a mesh of the "
+	"Makes a new layer of points on the surface. The points are as dense as possible, but no two "
+	"points are nearer than the disk radius, measured along the surface. The number of points is "
+	"the wanted number within about a tenth.<br>"
+	"The quality of a point is the radius of its disk, the normal is the normal of the surface. "
+	"Vertex colour is carried over. \"Remeshing: Retriangulate from Samples\" makes a mesh of the "
 	"points.<br>"
 	"<br>See: " GPR_PAPER ", section 3, steps 1 to 8, and " GPR_FU_AND_ZHOU,
 };
@@ -37,11 +37,11 @@ const FilterText sampling = {
 const FilterText retriangulation = {
 	"Remeshing: Retriangulate from Samples",
 	"meshing_retriangulate_from_samples",
-	"Gives the surface of the current layer new vertices: those of another layer, which is named "
-	"by its number. Components, holes and handles are kept. Where they need more vertices than "
-	"there are samples, some of the original vertices stay.<br>"
-	"A sample off the surface is put on the nearest point of the surface. The log tells how many "
-	"were, and how far off. The transforms of both layers are taken into account. Attributes are "
+	"Meshes the surface of the current layer with the vertices of another layer, given by its "
+	"number. Components, holes and handles are kept. If the topology needs more vertices than the "
+	"samples, some of the original vertices stay.<br>"
+	"A sample off the surface moves to the nearest point of the surface. The log has the number of "
+	"moved samples and the largest move. The transforms of both layers count. Attributes are "
 	"carried over from the surface. MeshLab has no undo: put the result into a new layer to keep "
 	"the original.<br>"
 	"<br>See: " GPR_PAPER ", section 3, last paragraph",
@@ -50,13 +50,13 @@ const FilterText retriangulation = {
 const FilterText features = {
 	"Feature Detection: Second-Order Difference",
 	"compute_features_by_second_order_difference",
-	"Finds creases and cone apexes and selects their vertices. The strength of an edge is the "
-	"angle, in degrees, between the mean normals of the two half-disks on its sides. All "
-	"half-disks have one size. The quality of a vertex becomes the largest strength of its edges; "
-	"\"Colorize by vertex Quality\" shows it. Selected faces stay selected; nothing else is "
-	"changed.<br>"
-	"The selected vertices are a feature region. They can be corrected by hand. \"Remeshing: "
-	"Geodesic Poisson Disk\", called afterwards, proposes smaller triangles there: see its "
+	"Detects crease edges and cone apexes and selects their vertices. The strength of an edge is "
+	"the angle, in degrees, between the mean normals of the two half-disks on its sides. All "
+	"half-disks have the same size. The quality of a vertex becomes the largest strength of its "
+	"edges; \"Colorize by vertex Quality\" shows this strength. Selected faces stay selected; "
+	"nothing else is changed.<br>"
+	"The selected vertices are a feature region, and can be corrected by hand. A later call of "
+	"\"Remeshing: Geodesic Poisson Disk\" proposes smaller triangles in this region, by the "
 	"feature disk scale.<br>"
 	"<br>See: " GPR_PAPER
 	", section 3.1, for the method's name and its use. The formula is in the file "
@@ -66,11 +66,11 @@ const FilterText features = {
 const FilterText comparison = {
 	"Compare: Geodesic Poisson Disk vs Quadric Edge Collapse",
 	"generate_geodesic_poisson_disk_vs_quadric_edge_collapse",
-	"Makes two new layers of the current one, with the same number of faces. One is made by "
-	"\"Remeshing: Geodesic Poisson Disk\" with the parameters below, the other by MeshLab's "
-	"\"Simplification: Quadric Edge Collapse Decimation\" with what its dialog proposes. They are "
-	"coloured by the quality of their triangles or by the distance from the input. The log has a "
-	"table of both. The current layer stays as it is.<br>"
+	"Makes two new layers with the same number of faces from the current layer: the first by "
+	"\"Remeshing: Geodesic Poisson Disk\" with the parameters below, the second by MeshLab's "
+	"\"Simplification: Quadric Edge Collapse Decimation\" with the values of its dialog. Colours "
+	"show the quality of the triangles or the distance from the input. The log compares both "
+	"layers in a table. The current layer is unchanged.<br>"
 	"<br>See: " GPR_PAPER " and M. Garland, P. S. Heckbert: \"Surface simplification using quadric "
 	"error metrics\", SIGGRAPH 1997",
 };

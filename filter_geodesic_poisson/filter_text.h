@@ -7,11 +7,11 @@
 
 namespace gpr_filter {
 
-/// What a filter is called and says of itself, in UTF-8.
+/// The name and the description of a filter, in UTF-8.
 struct FilterText {
 	/// Menu entry and key in .mlx scripts: public, changes with a changelog line only.
 	const char* name;
-	/// Name in PyMeshLab and of the script in mlx/; MeshLab 2020.09 does not ask for it.
+	/// Name in PyMeshLab and of the script in mlx/; unused by MeshLab 2020.09.
 	const char* pythonName;
 	/// The text at the top of the dialog: two paragraphs of HTML and the references.
 	const char* info;
@@ -19,7 +19,7 @@ struct FilterText {
 
 const FilterText& textOf(Filter filter);
 
-/// What all versions of MeshLab, and their .mlx scripts, call the type of a parameter.
+/// The type of a parameter in all versions of MeshLab, and in their .mlx scripts.
 const char* scriptType(gpr::ParameterKind kind);
 
 } // namespace gpr_filter

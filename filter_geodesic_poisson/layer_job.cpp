@@ -26,7 +26,8 @@ constexpr int kStaleMask =
 
 constexpr int kTextureMask = MeshModel::MM_VERTTEXCOORD | MeshModel::MM_WEDGTEXCOORD;
 
-/// Where samples most likely are: the newest other layer of points, or else the newest other one.
+/// The most likely layer of the samples: the newest other layer of points, or else the newest other
+/// layer.
 int likelySampleLayer(const MeshDocument& document)
 {
 	int likely = -1;
@@ -73,7 +74,7 @@ QString numberAndLabel(const MeshModel& layer)
 			.toStdString());
 }
 
-/// A sentence about what a layer has and the result has not; empty where nothing was lost.
+/// A sentence about attributes of a layer that the result lacks; empty without losses.
 std::string lossesOf(const MeshModel& layer, std::vector<std::string> lost)
 {
 	if (layer.dataMask() & (MeshModel::MM_VERTCURV | MeshModel::MM_VERTCURVDIR)) {
@@ -86,10 +87,9 @@ std::string lossesOf(const MeshModel& layer, std::vector<std::string> lost)
 std::string warningAbout(const Matrix44m& transform)
 {
 	if (!scalesUnevenly(transform)) return std::string();
-	return "The layer's transform scales unevenly: the triangles are regular in the layer's own "
-		   "coordinates, not as they are shown. \"Matrix: Freeze Current Matrix\" before this "
-		   "filter "
-		   "makes them regular as shown.";
+	return "The layer's transform scales unevenly: the triangles are regular in the coordinates of "
+		   "the layer, but not on the screen. \"Matrix: Freeze Current Matrix\" before this filter "
+		   "makes the triangles on the screen regular.";
 }
 
 /// carried: the attributes that `built` has.
@@ -135,17 +135,21 @@ GivenValues proposedFor(const MeshDocument& document)
 	return {{"SampleLayer", std::int64_t(samples)}};
 }
 
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
-							  const MeshModel& layer)
+gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const MeshModel& layer)
 {
-	gpr::RemeshOptions options    = values.options();
-	const bool         makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
+	gpr::RemeshOptions options = read.values.options();
+	options.period             = {read.own<double>("PeriodX"), read.own<double>("PeriodY"),
+								  read.own<double>("PeriodZ")};
+	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) == QualitySizes::Exact)
+		options.targetMode = gpr::TargetMode::Sizes;
+	const bool makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
 	options.surfacePointsOfFaces =
 		makesFaces && ((layer.dataMask() & kCarriedFaceMask) != 0 || !layer.cm.face_attr.empty());
 	return options;
 }
 
-LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
+LayerCopy copyFor(const MeshModel& layer, const ReadParameters& read,
+				  const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
 	parts.selection     = gpr::mayUseSelectedVertices(options);
@@ -154,11 +158,14 @@ LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
 	parts.texture  = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	LayerCopy copy = copyLayer(layer.cm, parts);
+	copy.regions   = regionsOf(layer, RegionSource(read.own<std::int64_t>("Regions")));
+	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) != QualitySizes::Nothing)
+		copy.sizes = wantedSizesOf(layer);
 	if (parts.facesCorners && !copy.view().anySelected()) {
-		throw Refusal("The feature region shall be the selection, but nothing is selected.");
+		throw Refusal("The feature region is the selection, but nothing is selected.");
 	}
 	if (parts.edgeSelection && copy.selectedEdges.empty()) {
-		throw Refusal("The feature lines shall be the selected edges, but no edge is selected.");
+		throw Refusal("The feature lines are the selected edges, but no edge is selected.");
 	}
 	if (parts.faceSelection && !copy.anyFaceSelected()) {
 		throw Refusal("Cannot apply only on selection: no face is selected.");
@@ -173,9 +180,9 @@ LayerJob::LayerJob(MeshDocument& document, Filter filter, const RichParameterLis
 	if (current == nullptr) throw Refusal("There is no layer.");
 	_layerId         = current->id();
 	_read            = readValues(filter, list, document);
-	_options         = optionsFor(_read.values, filter, *current);
+	_options         = optionsFor(_read, filter, *current);
 	_anyFaceSelected = anyFaceSelected(current->cm);
-	_copy            = copyFor(*current, _options);
+	_copy            = copyFor(*current, _read, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const
@@ -225,7 +232,7 @@ std::string LayerJob::sentenceOfSelectedFaces() const
 {
 	if (_options.selectedOnly || !_anyFaceSelected) return std::string();
 	return "Faces are selected, but the whole layer was remeshed. \"Only the selected faces\" "
-		   "remeshes those alone.";
+		   "remeshes the selected faces only.";
 }
 
 MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix,
@@ -274,7 +281,7 @@ void LayerJob::putPoints(const gpr::SamplingResult& result, const char* suffix) 
 	fill(addLayer(source, carried, suffix), built, carried);
 }
 
-/// place: how many widths of the input beside it, where results are moved apart.
+/// place: the distance from the input in widths of the input, for results moved apart.
 void LayerJob::addCompared(const MeshModel& source, const ComparedResult& result,
 						   const char* suffix, int place, double largestDeviation) const
 {

@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_LAYER_JOB_H
 #define FILTER_GEODESIC_POISSON_LAYER_JOB_H
 
-// What all filters do with MeshLab's document.
+// The common work of all filters with MeshLab's document.
 
 #include "comparison.h"
 #include "mesh_bridge.h"
@@ -14,22 +14,22 @@
 
 namespace gpr_filter {
 
-/// What the dialog's defaults depend on; a document without a layer has facts, too.
+/// The facts for the dialog's defaults; a document without a layer has facts, too.
 gpr::MeshFacts factsOf(const MeshDocument& document);
 
-/// What the dialog proposes beside these defaults: the layer of the samples.
+/// The proposals of the dialog beside these defaults: the layer of the samples.
 GivenValues proposedFor(const MeshDocument& document);
 
-/// The options that values ask for on a layer, with what its attributes need.
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
-							  const MeshModel& layer);
+/// The options for the parameters and the attributes of a layer.
+gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const MeshModel& layer);
 
-/// What a run with these options reads of a layer. Throws Refusal where the layer lacks the
-/// selection that the options ask for.
-LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options);
+/// The parts of a layer for a run with these options. Throws Refusal if the layer lacks the
+/// selection or the attribute for the parameters.
+LayerCopy copyFor(const MeshModel& layer, const ReadParameters& read,
+				  const gpr::RemeshOptions& options);
 
-/// One run of a filter on the current layer: what the user asked for, a copy of the mesh for the
-/// engine, and the way back into the document.
+/// One run of a filter on the current layer: the options, a copy of the mesh for the engine, and
+/// the way back into the document.
 class LayerJob {
 public:
 	/// Reads the parameters and copies the layer. Throws Refusal: no layer, values out of range, a
@@ -39,7 +39,7 @@ public:
 	const LayerCopy&          copy() const { return _copy; }
 	const gpr::RemeshOptions& options() const { return _options; }
 
-	/// Sentences about what the script asked for and is not done.
+	/// Sentences about parts of the script without effect.
 	const std::vector<std::string>& notes() const { return _read.notes; }
 
 	/// The vertices of the layer that the parameter SampleLayer names, in the frame of ours.
@@ -48,18 +48,18 @@ public:
 	/// How many these are, under the same conditions.
 	std::int64_t sampleNum() const;
 
-	/// The layer, to be written to. Other filters can run while ours does; throws Refusal where
-	/// they removed the layer or changed its mesh.
+	/// The layer, for writing. Other filters can run during the run; throws Refusal if another
+	/// filter removed the layer or changed its mesh.
 	MeshModel& layer() const;
 
-	/// Told to a user who has faces selected and did not ask for them to be remeshed alone; empty
-	/// where none was selected when the run began.
+	/// For a user with selected faces who did not ask for a run on the selection; empty if no face
+	/// was selected at the begin of the run.
 	std::string sentenceOfSelectedFaces() const;
 
-	/// Puts a result with the layer's attributes into the layer, or into a new one where the
+	/// Puts a result with the layer's attributes into the layer, or into a new layer if the
 	/// parameters say so, whose label ends with the suffix. Returns sentences, some empty, about
-	/// what was lost and what the layer's transform does. Throws as layer() does; the document is
-	/// then as it was.
+	/// lost attributes and about the layer's transform. Throws as layer() does; the document is
+	/// then unchanged.
 	std::vector<std::string> put(const gpr::RemeshResult& result, const char* suffix) const;
 
 	/// Makes strengths the layer's vertex quality and selects the marked vertices. Throws as
@@ -70,8 +70,8 @@ public:
 	/// one. Throws as layer() does.
 	void putPoints(const gpr::SamplingResult& result, const char* suffix) const;
 
-	/// Puts both results of a comparison into new layers, coloured and placed as the parameters
-	/// say; that of the remeshing becomes the current one. Throws as layer() does.
+	/// Puts both results of a comparison into new layers, coloured and placed by the parameters;
+	/// the result of the remeshing becomes the current layer. Throws as layer() does.
 	void putCompared(const Comparison& comparison) const;
 
 private:

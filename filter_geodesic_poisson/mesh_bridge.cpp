@@ -34,7 +34,7 @@ std::vector<std::int32_t> copyVertices(const CMeshO& mesh, LayerCopy& copy)
 	return newIndex;
 }
 
-/// The unit normal of the face on which a point lies, or zero where the face has no area.
+/// The unit normal of the face below a point, or zero for a degenerate face.
 Point3m normalAt(const gpr::BarycentricPoint& point, const LayerCopy& source)
 {
 	const std::int32_t* corner = &source.triangles[3 * std::size_t(point.face)];
@@ -142,6 +142,9 @@ gpr::MeshView LayerCopy::view() const
 	view.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
 	if (!selectedEdges.empty()) view.line = selectedEdges.data();
+	if (!regions.label.empty()) view.region = regions.label.data();
+	if (!regions.names.empty()) view.regionNames = &regions.names;
+	if (!sizes.empty()) view.wantedEdge = sizes.data();
 	return view;
 }
 
@@ -313,7 +316,7 @@ void replaceContents(CMeshO& layer, CMeshO& built)
 bool scalesUnevenly(const Matrix44m& transform)
 {
 	constexpr double tolerance = 0.02;
-	double           gram[3][3]; // of the columns; a multiple of one where all scale alike
+	double           gram[3][3]; // of the columns; a multiple of the identity if all scale alike
 	for (int i = 0; i < 3; ++i) {
 		for (int j = 0; j < 3; ++j) {
 			gram[i][j] = 0;

@@ -5,6 +5,7 @@
 
 // Between MeshLab's mesh and the engine's flat arrays.
 
+#include "layer_marks.h"
 #include "meshlab_api.h"
 
 #include <vcg_extras/complex/algorithms/attribute_transfer.h>
@@ -16,18 +17,18 @@
 
 namespace gpr_filter {
 
-/// What of a mesh is copied beside its vertices and faces.
+/// The copied parts of a mesh beside its vertices and faces.
 struct CopiedParts {
 	bool selection     = false; ///< of the vertices
-	bool facesCorners  = false; ///< where no vertex is selected, those of the selected faces
+	bool facesCorners  = false; ///< without selected vertices, the corners of selected faces
 	bool faceSelection = false;
 	bool texture       = false; ///< texture coordinates of the wedges
 	bool edgeSelection = false; ///< of the faces' edges
 };
 
-/// A copy of what the engine needs of a layer, without its deleted elements.
+/// A copy of a layer for the engine, without deleted elements.
 /// A copy and no view: while the filter runs, the host's progress bar lets the user start other
-/// filters on the same layer, and they may move its vectors under the engine's threads.
+/// filters on the same layer, which may move its vectors under the engine's threads.
 struct LayerCopy {
 	std::vector<gpr::Vec3<Scalarm>> positions;
 	std::vector<std::int32_t>       triangles;     ///< 3 indices a face
@@ -36,6 +37,9 @@ struct LayerCopy {
 	std::vector<std::uint8_t> selectedEdges; ///< one a corner, or none; with the texture's seams
 
 	std::shared_ptr<const gpr::TextureSource> texture; ///< of the wedges, or null
+
+	LayerRegions       regions; ///< of the faces
+	std::vector<float> sizes;   ///< wanted edge lengths, one a vertex, or none
 
 	gpr::MeshView view() const;
 	/// Bit by bit, so that a NaN equals itself.
@@ -56,15 +60,15 @@ std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame);
 /// The named attributes of a mesh, read at surface points.
 using UserAttributes = vcg::tri::gpr_detail::CarriedUserAttributes<CMeshO>;
 
-/// Fills an empty mesh with the result. Of `source`, the mesh that `copy` was made of and that has
-/// the same vertices and faces still, vertex and face attributes are carried over and its optional
-/// components for them enabled; named attributes go to `user`. New faces are selected where others
-/// were left alone. Normals and box are not computed. Throws std::bad_alloc only.
+/// Fills an empty mesh with the result. Vertex and face attributes are carried over from `source`,
+/// the mesh of `copy` with the same vertices and faces still, and their optional components are
+/// enabled; named attributes go to `user`. After a run on a selection, new faces are selected.
+/// Normals and box are not computed. Throws std::bad_alloc only.
 void buildMesh(const gpr::RemeshResult& result, const LayerCopy& copy, const CMeshO& source,
 			   CMeshO& built, UserAttributes& user);
 
-/// Fills an empty mesh with the samples as vertices: quality is the disk's radius, the normal that
-/// of the face the sample lies on; the colour of `source`, of which `copy` was made, is
+/// Fills an empty mesh with the samples as vertices: quality is the disk's radius, the normal the
+/// normal of the face below the sample; the colour of `source`, the mesh of `copy`, is
 /// interpolated. The box is not computed. Throws std::bad_alloc only.
 void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const CMeshO& source,
 				 CMeshO& built);
@@ -79,14 +83,13 @@ void colourFaces(const std::vector<float>& figures, double red, double blue, CMe
 /// The transform that puts a copy of a mesh `place` widths and a little beside it, along x.
 Matrix44m movedAside(const CMeshO& mesh, int place);
 
-/// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices
-/// selected and no others. Faces stay selected as they are: selected faces are those to be remeshed
-/// alone. Needs no memory.
+/// Gives the copied mesh its features: strengths as vertex quality; marked vertices and no others
+/// are selected. Faces keep their selection, which means the part to remesh alone. Needs no memory.
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh);
 
-/// Puts the vertices and faces of `built`, with their optional components, in the place of those of
-/// `layer`, and removes what belonged to the old ones: edges and per-element attributes. Needs no
-/// memory, so it does not fail half-way.
+/// Puts the vertices and faces of `built`, with their optional components, in the place of the
+/// elements of `layer`, and removes the old edges and per-element attributes. Needs no memory, so
+/// the call does not fail half-way.
 void replaceContents(CMeshO& layer, CMeshO& built);
 
 /// Whether a transform scales by more than 2 % differently in different directions, or shears.

@@ -18,7 +18,7 @@ struct OldParameter {
 
 constexpr OldParameter kOldParameters[] = {
 	{"Placement", 0, "the preset paper places samples on border edges"},
-	{"Retriangulation", 0, "the preset paper removes vertices one by one"},
+	{"Retriangulation", 0, "the preset paper removes single vertices"},
 	{"Smoothing", 0, "the preset paper smooths by the umbrella operator"},
 	{"Equations", 0, "the preset paper takes the equations as they are printed"},
 	{"Regularity", 0, "the preset fast leaves the steps for regularity out"},

@@ -65,7 +65,7 @@ QString samplesLine(const gpr::RemeshReport& r)
 	QString line = QStringLiteral("Samples: %1, of which %2 were off the surface")
 					   .arg(count(r.sampleNum), count(r.samplesMoved));
 	if (r.samplesMoved == 0) return line;
-	return line + " and were put on it, the farthest by " + number(r.largestSampleMove) +
+	return line + " and moved to the surface, the farthest by " + number(r.largestSampleMove) +
 		   QStringLiteral(" (%1 % of the diagonal)")
 			   .arg(number(100 * r.largestSampleMove / r.input.diagonal, 3));
 }
@@ -78,8 +78,9 @@ QString leftoverLine(const gpr::RemeshResult& result)
 	const std::int64_t lost = result.report.sampleNum - used;
 	const std::int64_t kept = std::int64_t(result.sampleOf.size()) - used;
 	QStringList        parts;
-	if (lost > 0) parts << count(lost) + " samples, too near to others, became no vertex";
-	if (kept > 0) parts << count(kept) + " vertices of the original stay, which the topology needs";
+	if (lost > 0)
+		parts << count(lost) + " samples were too near to other samples and became no vertices";
+	if (kept > 0) parts << count(kept) + " vertices of the original stay for the topology";
 	return parts.join("; ");
 }
 
@@ -93,7 +94,7 @@ QString untouchedLine(const gpr::RemeshReport& r)
 
 QString topologyLine(const gpr::RemeshReport& r)
 {
-	return QStringLiteral("Components %1, boundary loops %2, Euler characteristic %3")
+	return QStringLiteral("Components %1, border loops %2, Euler characteristic %3")
 		.arg(count(r.result.components), count(r.result.boundaryLoops),
 			 count(r.result.eulerCharacteristic));
 }
@@ -137,7 +138,7 @@ QString auditLine(const gpr::AuditFigures& a)
 	const QString verdict = a.passed ? QStringLiteral("passed") : QStringLiteral("FAILED");
 	return QStringLiteral(
 			   "Audit %1: %2 non-manifold edges, %3 non-manifold vertices, %4 inverted faces, "
-			   "%5 without area, %6 duplicate faces")
+			   "%5 degenerate faces, %6 duplicate faces")
 		.arg(verdict, count(a.nonManifoldEdges), count(a.nonManifoldVertices),
 			 count(a.invertedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
 }
@@ -165,7 +166,7 @@ QString provenLine(const gpr::RemeshReport& r)
 	if (!r.isDistanceProven) return QString();
 	const gpr::DistanceBounds b = r.provenDistance.hausdorff();
 	return QStringLiteral(
-			   "Proven: the largest distance of either mesh from the other is between %1 and %2")
+			   "Proven: the largest distance between input and result is between %1 and %2")
 			   .arg(lengthText(b.lower, r), lengthText(b.upper, r)) +
 		   (b.isBudgetSpent ? "; the budget of the proof was spent" : "");
 }

@@ -138,7 +138,7 @@ MeshModel* EditSession::layer()
 
 // ---- runs
 
-gpr::RemeshOptions EditSession::wantedOptions(bool isDraft)
+ReadParameters EditSession::wantedParameters(bool isDraft)
 {
 	// From MeshLab's own list, so that the numbers are the numbers of the filter.
 	const std::vector<gpr::Parameter>& table  = rowsOf(RemeshFilter);
@@ -146,16 +146,18 @@ gpr::RemeshOptions EditSession::wantedOptions(bool isDraft)
 	if (isDraft) values["Preset"] = std::int64_t(gpr::Preset::Fast);
 	RichParameterList list;
 	fillParameterList(table, facts_, list, values);
-	const ReadParameters read = readParameterList(table, facts_, list);
+	ReadParameters read = readParameterList(table, facts_, list);
 	if (!read.complaints.empty()) throw Refusal(read.complaints);
-	return optionsFor(read.values, RemeshFilter, *layer());
+	return read;
 }
 
-void EditSession::copyMarksFor(const gpr::RemeshOptions& options)
+void EditSession::copyMarksFor(const ReadParameters& read, const gpr::RemeshOptions& options)
 {
-	if (worker_ != nullptr && readTheSame(copiedFor_, options)) return;
-	auto copy  = std::make_shared<const LayerCopy>(copyFor(*layer(), options));
-	copiedFor_ = options;
+	const auto regions = RegionSource(read.own<std::int64_t>("Regions"));
+	if (worker_ != nullptr && readTheSame(copiedFor_, options) && copiedRegions_ == regions) return;
+	auto copy      = std::make_shared<const LayerCopy>(copyFor(*layer(), read, options));
+	copiedFor_     = options;
+	copiedRegions_ = regions;
 	if (worker_ != nullptr) return worker_->setLayer(std::move(copy));
 	worker_ = std::make_unique<PreviewWorker>(std::move(copy));
 	connect(worker_.get(), &PreviewWorker::newsArrived, this, &EditSession::takeNews,
@@ -165,10 +167,11 @@ void EditSession::copyMarksFor(const gpr::RemeshOptions& options)
 void EditSession::request(bool isDraft)
 try {
 	if (layer() == nullptr) return;
-	PreviewRequest wanted;
-	wanted.options = wantedOptions(isDraft);
+	const ReadParameters read = wantedParameters(isDraft);
+	PreviewRequest       wanted;
+	wanted.options = optionsFor(read, RemeshFilter, *layer());
 	wanted.isDraft = isDraft;
-	copyMarksFor(wanted.options);
+	copyMarksFor(read, wanted.options);
 	wanted.id    = ++lastRequest_;
 	isDraftDone_ = isFullUnderWay_ = !isDraft;
 	panel_->showMessage("");

@@ -4,6 +4,7 @@
 #define FILTER_GEODESIC_POISSON_EDIT_SESSION_H
 
 #include "edit_api.h"
+#include "parameter_bridge.h"
 #include "preview_painter.h"
 #include "preview_worker.h"
 #include "remesh_panel.h"
@@ -61,35 +62,36 @@ private:
 	std::uint64_t                  lastRequest_  = 0;
 	std::uint64_t                  drawnRequest_ = 0;
 	std::shared_ptr<const Preview> shown_;
-	gpr::RemeshOptions             copiedFor_; ///< the options of the worker's copy
-	bool                           isApplying_ = false, isWiping_ = false, isViewGone_ = false;
+	gpr::RemeshOptions             copiedFor_;               ///< the options of the worker's copy
+	RegionSource     copiedRegions_ = RegionSource::Nothing; ///< the regions of the worker's copy
+	bool             isApplying_ = false, isWiping_ = false, isViewGone_ = false;
 	bool             isDraftDone_ = true, isFullUnderWay_ = false; ///< of the last request
 	vcg::Similarityf flightStart_, flightEnd_;
 	int              flightStep_ = 0;
 
-	MeshModel*         layer();
-	gpr::RemeshOptions wantedOptions(bool isDraft);
-	void               request(bool isDraft);
-	void               requestFull();
-	void               endDraft();
-	void               requestQuadric();
-	void               copyMarksFor(const gpr::RemeshOptions& options);
-	void               changeValues();
-	void               rememberValues();
-	void               changeChoices();
-	void               takeNews();
-	void               showPreview(std::shared_ptr<const Preview> preview);
-	bool               isUpToDate() const;
-	void               apply();
-	void               finishApply();
-	void               putResult();
-	void               tell(const std::vector<std::string>& lines);
-	void               leave();
-	void               flyTo(const Spot& spot);
-	void               fly();
-	void               hideOriginal(bool isHidden);
-	bool               isAtWipeLine(const QMouseEvent& event) const;
-	void               watchForStalls();
+	MeshModel*     layer();
+	ReadParameters wantedParameters(bool isDraft);
+	void           request(bool isDraft);
+	void           requestFull();
+	void           endDraft();
+	void           requestQuadric();
+	void           copyMarksFor(const ReadParameters& read, const gpr::RemeshOptions& options);
+	void           changeValues();
+	void           rememberValues();
+	void           changeChoices();
+	void           takeNews();
+	void           showPreview(std::shared_ptr<const Preview> preview);
+	bool           isUpToDate() const;
+	void           apply();
+	void           finishApply();
+	void           putResult();
+	void           tell(const std::vector<std::string>& lines);
+	void           leave();
+	void           flyTo(const Spot& spot);
+	void           fly();
+	void           hideOriginal(bool isHidden);
+	bool           isAtWipeLine(const QMouseEvent& event) const;
+	void           watchForStalls();
 };
 
 } // namespace gpr_filter

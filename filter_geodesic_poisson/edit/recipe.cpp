@@ -122,6 +122,11 @@ QString commandFor(const Values& values, const gpr::MeshFacts& facts, const QStr
 		const bool isBare = row.kind == ParameterKind::Switch && *row.argument == '\0';
 		if (!isBare) words << commandValue(row, valueOf(row, values, facts));
 	}
+	const auto regions =
+		RegionSource(std::get<std::int64_t>(valueOf(remeshRow("Regions"), values, facts)));
+	if (regions == RegionSource::Quality) words << "--regions quality";
+	if (regions == RegionSource::Texture || regions == RegionSource::Colour)
+		words << "# without the regions, which the program does not take from there";
 	return words.join(' ');
 }
 

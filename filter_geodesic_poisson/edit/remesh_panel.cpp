@@ -31,9 +31,13 @@ namespace {
 /// The rows of the table in the panel, in this order.
 constexpr const char* kShownKeys[] = {
 	"TargetVertexNum", "TargetPerc",    "TargetLen",        "Preset",   "Adapt",   "Lambda",
-	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "NewLayer"};
-/// The three ways to give the size: a value above 0 takes the place of the count.
+	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "Regions", "NewLayer"};
+/// Other ways to give the size: a value above 0 takes the place of the count.
 constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
+/// The row of the slider, and the row for a slider that counts faces.
+constexpr const char* kVertices       = "TargetVertexNum";
+constexpr const char* kFaces          = "TargetFaceNum";
+constexpr int         kFacesPerVertex = 2;
 
 constexpr int    kSliderSteps = 1000;
 constexpr double kUnitStep    = 0.05;
@@ -159,8 +163,54 @@ void RemeshPanel::addParameters(QVBoxLayout& column)
 	for (const char* key : kShownKeys) {
 		const gpr::Parameter& row = remeshRow(key);
 		if (values_.count(key) == 0) values_[key] = row.defaultValue(facts_);
+		if (values_.count(kFaces) == 0) values_[kFaces] = std::int64_t(0);
 		addRow(row, *form);
 	}
+}
+
+bool RemeshPanel::countsFaces() const
+{
+	return std::get<std::int64_t>(values_.at(kFaces)) > 0;
+}
+
+/// The number of the slider, in vertices and in the counted unit.
+std::int64_t RemeshPanel::countOnSlider() const
+{
+	return countAt(countSlider_->value(), facts_) * (countsFaces() ? kFacesPerVertex : 1);
+}
+
+void RemeshPanel::moveSliderTo(std::int64_t count)
+{
+	countSlider_->setValue(stepOf(count / (countsFaces() ? kFacesPerVertex : 1), facts_));
+}
+
+void RemeshPanel::changeCount(std::int64_t count)
+{
+	change(countsFaces() ? kFaces : kVertices, count);
+}
+
+/// The same size in the other unit.
+void RemeshPanel::countFaces(bool countsFaces)
+{
+	if (isShowing_ || countsFaces == this->countsFaces()) return;
+	const std::int64_t vertexNum = std::get<std::int64_t>(values_[kVertices]);
+	const std::int64_t faceNum   = std::get<std::int64_t>(values_[kFaces]);
+	if (countsFaces)
+		change(kFaces, kFacesPerVertex * vertexNum);
+	else
+		change(kVertices, std::max<std::int64_t>(1, faceNum / kFacesPerVertex));
+	show(kVertices);
+}
+
+QComboBox* RemeshPanel::countUnit(const gpr::Parameter& row)
+{
+	auto* box = new QComboBox;
+	box->setObjectName("CountUnit");
+	box->addItems({QString::fromUtf8(row.label), "Number of faces"});
+	box->setToolTip("What the slider counts.");
+	connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+			[this](int index) { countFaces(index == 1); });
+	return countUnit_ = box;
 }
 
 void RemeshPanel::addRow(const gpr::Parameter& row, QFormLayout& form)
@@ -170,7 +220,10 @@ void RemeshPanel::addRow(const gpr::Parameter& row, QFormLayout& form)
 	case gpr::ParameterKind::Count:
 		form.addRow(countSlider_ = sliderFor(row));
 		field = countField(row);
-		break;
+		field->setObjectName(row.key);
+		field->setToolTip(helpOf(row));
+		form.addRow(countUnit(row), field);
+		return show(row.key);
 	case gpr::ParameterKind::Switch:
 		field = switchField(row);
 		break;
@@ -197,9 +250,9 @@ QSlider* RemeshPanel::sliderFor(const gpr::Parameter& row)
 	slider->setPageStep(kSliderSteps / 20);
 	slider->setToolTip(helpOf(row));
 	const std::string key = row.key;
-	connect(slider, &QSlider::valueChanged, this, [this, key](int step) {
+	connect(slider, &QSlider::valueChanged, this, [this, key] {
 		if (isShowing_) return;
-		change(key, countAt(step, facts_));
+		changeCount(countOnSlider());
 		show(key);
 	});
 	return slider;
@@ -212,18 +265,20 @@ QWidget* RemeshPanel::countField(const gpr::Parameter& row)
 	box->setKeyboardTracking(false);
 	box->setGroupSeparatorShown(false);
 	const std::string key = row.key;
-	connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, key](int count) {
-		change(key, std::int64_t(count));
+	connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int count) {
+		changeCount(count);
 		const bool wasShowing = std::exchange(isShowing_, true);
-		countSlider_->setValue(stepOf(count, facts_));
+		moveSliderTo(count);
 		isShowing_ = wasShowing;
 	});
-	showValue_[key] = [this, box, key] {
-		const std::int64_t count = std::get<std::int64_t>(values_[key]);
+	showValue_[key] = [this, box] {
+		const std::int64_t count =
+			std::get<std::int64_t>(values_[countsFaces() ? kFaces : kVertices]);
+		countUnit_->setCurrentIndex(countsFaces() ? 1 : 0);
+		box->setSingleStep(countsFaces() ? kFacesPerVertex : 1);
 		box->setValue(int(count));
 		// The slider stays at the user's place while the place means this number.
-		if (countAt(countSlider_->value(), facts_) != count)
-			countSlider_->setValue(stepOf(count, facts_));
+		if (countOnSlider() != count) moveSliderTo(count);
 	};
 	return box;
 }
@@ -292,6 +347,9 @@ void RemeshPanel::keepOneSize(const std::string& key)
 		values_[other] = 0.0;
 		show(other);
 	}
+	if (key == kFaces || !countsFaces()) return;
+	values_[kFaces] = std::int64_t(0);
+	show(kVertices);
 }
 
 void RemeshPanel::change(const std::string& key, const gpr::ParameterValue& value)
@@ -438,9 +496,10 @@ void RemeshPanel::showFigures(const Preview& preview, double diagonal)
 {
 	const gpr::RemeshReport& report = preview.result->report;
 	const QString            kind   = preview.isDraft ? " (draft)" : "";
-	QString                  text   = QString("%1 vertices, %2 faces, %3 s%4\n")
-					   .arg(preview.result->mesh.vertexNum())
-					   .arg(preview.result->mesh.faceNum())
+	const QString vertices          = QString("%1 vertices").arg(preview.result->mesh.vertexNum());
+	const QString faces             = QString("%1 faces").arg(preview.result->mesh.faceNum());
+	QString       text              = QString("%1, %2, %3 s%4\n")
+					   .arg(countsFaces() ? faces : vertices, countsFaces() ? vertices : faces)
 					   .arg(report.remeshSeconds, 0, 'f', 3)
 					   .arg(kind);
 	text += QString("mean 2r/R %1, smallest angle %2\u00b0\n")

@@ -67,6 +67,7 @@ private:
 	std::map<std::string, std::function<void()>> showValue_; ///< puts a value into its widget
 	bool                                         isShowing_   = false; ///< no change by the user
 	QSlider*                                     countSlider_ = nullptr;
+	QComboBox*                                   countUnit_   = nullptr;
 	QLabel *      figures_ = nullptr, *message_ = nullptr, *quadric_ = nullptr, *legend_ = nullptr;
 	QProgressBar* progress_ = nullptr;
 	QPushButton * worst_ = nullptr, *farthest_ = nullptr, *apply_ = nullptr;
@@ -76,13 +77,20 @@ private:
 	void       addParameters(QVBoxLayout& column);
 	void       addRow(const gpr::Parameter& row, QFormLayout& form);
 	QWidget*   countField(const gpr::Parameter& row);
-	QWidget*   numberField(const gpr::Parameter& row);
-	QWidget*   switchField(const gpr::Parameter& row);
-	QWidget*   choiceField(const gpr::Parameter& row);
-	QSlider*   sliderFor(const gpr::Parameter& row);
-	void       addView(QVBoxLayout& column);
-	void       addOutcome(QVBoxLayout& column);
-	QCheckBox* viewSwitch(const char* text, const char* name, bool ViewChoices::*choice);
+	QComboBox* countUnit(const gpr::Parameter& row);
+	bool       countsFaces() const;
+	void       countFaces(bool countsFaces);
+	void       changeCount(std::int64_t count);
+	void       moveSliderTo(std::int64_t count);
+
+	std::int64_t countOnSlider() const;
+	QWidget*     numberField(const gpr::Parameter& row);
+	QWidget*     switchField(const gpr::Parameter& row);
+	QWidget*     choiceField(const gpr::Parameter& row);
+	QSlider*     sliderFor(const gpr::Parameter& row);
+	void         addView(QVBoxLayout& column);
+	void         addOutcome(QVBoxLayout& column);
+	QCheckBox*   viewSwitch(const char* text, const char* name, bool ViewChoices::*choice);
 	template <class Choice>
 	QComboBox* viewBox(const char* name, const QStringList& texts, Choice ViewChoices::*choice);
 	void       change(const std::string& key, const gpr::ParameterValue& value);

@@ -9,7 +9,7 @@ enum class PreviewPlace { OverOriginal, InPlaceOfOriginal };
 enum class PreviewColour { None, Quality, Distance };
 enum class OtherSide { Original, QuadricCollapse };
 
-/// What the user wants to see.
+/// The wanted view of the user.
 struct ViewChoices {
 	PreviewPlace  place     = PreviewPlace::InPlaceOfOriginal;
 	bool          faces     = true;

@@ -156,6 +156,7 @@ HOW_TO_READ = """\
 | time and memory up to millions of faces, threads | [Speed](measurements_speed.md) |
 | meshes that are larger than the memory | [Large meshes](measurements_tiles.md) |
 | tetrahedra and the Poisson problem on the results | [Simulation](measurements_simulation.md) |
+| the gain of each mechanism of the engine | [Mechanisms](measurements_ablation.md) |
 | geodesic distances of the sampling | [Accuracy of distances](accuracy_of_distances.md) |
 | faulty input, cancelling, other systems | [Robustness](robustness.md) |
 """

@@ -23,12 +23,43 @@ TEST_F(CommandLine, HelpTellsExitCodesAndOptions)
 	EXPECT_EQ(all.exitCode, 0);
 	EXPECT_NE(all.out.find("Exit codes"), std::string::npos);
 	EXPECT_NE(all.out.find("remesh"), std::string::npos);
-	const ProgramResult remeshing = run({"remesh", "--help"});
+	const ProgramResult remeshing = run({"remesh", "--help-all"});
 	EXPECT_EQ(remeshing.exitCode, 0);
 	for (const char* option : {"--vertices", "--percent", "--edge-length", "--max-error", "--relax",
 							   "--seed", "--threads", "--allow-nearest", "--report", "--quiet"}) {
 		EXPECT_NE(remeshing.out.find(option), std::string::npos) << option;
 	}
+}
+
+/// The number of lines that begin with an option.
+std::size_t optionNum(const std::string& help)
+{
+	std::size_t num = 0;
+	for (const char* begin : {"\n  -", "\n    -"}) {
+		for (std::size_t at = help.find(begin); at != std::string::npos;
+			 at             = help.find(begin, at + 1))
+            ++num;
+	}
+	return num;
+}
+
+TEST_F(CommandLine, HelpHasTheEverydayOptionsAndHelpAllHasGroups)
+{
+	for (const char* command : {"remesh", "compare", "levels"}) {
+		const std::string everyday = run({command, "--help"}).out;
+		const std::string all      = run({command, "--help-all"}).out;
+		EXPECT_LE(optionNum(everyday), 17u) << everyday;
+		EXPECT_GT(optionNum(all), 30u) << all;
+		EXPECT_EQ(everyday.find("\n  --seed"), std::string::npos) << everyday;
+		EXPECT_NE(everyday.find(std::string("'gpremesh ") + command + " --help-all'"),
+				  std::string::npos)
+			<< everyday;
+		for (const char* text : {"\n  --seed", "\n  --preset", "\nRun:", "\nPreset paper:"})
+			EXPECT_NE(all.find(text), std::string::npos) << text;
+	}
+	// A command with few options shows all.
+	EXPECT_EQ(run({"features", "--help"}).out, run({"features", "--help-all"}).out);
+	EXPECT_NE(run({"--help-all"}).out.find("--seed"), std::string::npos);
 }
 
 TEST_F(CommandLine, VersionIsOneLine)
@@ -68,6 +99,10 @@ TEST_F(CommandLine, ValuesOutOfRangeAreUsageErrors)
 	expectFailure(remesh({"--max-error", "0"}), 2, "--max-error");
 	expectFailure(remesh({"--max-error", "%"}), 2, "--max-error");
 	expectFailure(remesh({"--max-error", "-1%"}), 2, "--max-error");
+	expectFailure(remesh({"--max-edge", "%"}), 2, "--max-edge");
+	expectFailure(remesh({"--min-edge", "nan%"}), 2, "--min-edge");
+	expectFailure(remesh({"--lambda", "2%"}), 2, "--lambda");
+	expectFailure(remesh({"--min-edge", "3%", "--max-edge", "2%"}), 2, "longer");
 	expectFailure(remesh({"--relax", "1001"}), 2, "--relax");
 	expectFailure(remesh({"--seed", "-1"}), 2, "--seed");
 	expectFailure(remesh({"--threads", "5000"}), 2, "--threads");

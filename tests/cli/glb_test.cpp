@@ -144,6 +144,18 @@ TEST(GlbReader, ReadsStripsAndFansAndPassesOverLines)
 	EXPECT_NE(mesh.notes[0].find("lines"), std::string::npos);
 }
 
+TEST(GlbReader, NamesWhatTheSceneHasBesideTheMesh)
+{
+	GltfJson json = tetrahedronJson();
+	EXPECT_TRUE(readGlb(tetrahedron(json)).attributes.lost.empty());
+	json["cameras"] = json["animations"] = GltfJson::parse("[{}]");
+	json["extensionsUsed"]               = GltfJson::parse(R"(["KHR_lights_punctual"])");
+	json["meshes"].push_back(json["meshes"][0]);
+	const std::vector<std::string> expected = {"names of nodes and meshes", "cameras", "animations",
+											   "lights"};
+	EXPECT_EQ(readGlb(tetrahedron(json)).attributes.lost, expected);
+}
+
 TEST(GlbReader, RefusesWhatItDoesNotRead)
 {
 	EXPECT_NE(refusalOf(R"({"extensionsRequired": ["KHR_draco_mesh_compression"]})")

@@ -4,6 +4,8 @@
 #include "mesh_files.h"
 #include "program_runner.h"
 
+#include <vcg_extras/io/formats/glb_container.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -67,6 +69,34 @@ TEST_F(Levels, ValuesOfVerticesComeToEachLevel)
 	ASSERT_EQ(run({"levels", in, path("out_{level}.ply"), "--vertices", "200,150"}).exitCode, 0);
 	ASSERT_EQ(run({"remesh", in, path("single.ply"), "--vertices", "150"}).exitCode, 0);
 	EXPECT_EQ(content(path("out_2.ply")), content(path("single.ply")));
+}
+
+/// A node with levels by MSFT_lod: the finest is what programs read that do not know them.
+TEST_F(Levels, ComeIntoOneBinaryGltfFile)
+{
+	const std::string   in   = put("in.ply", binaryPly(sphere(40), true, false));
+	const ProgramResult made = run({"levels", in, path("all.glb"), "--vertices", "300,200,100",
+									"--report", path("report.json")});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	const std::string        file   = content(path("all.glb"));
+	const gpr::app::GltfJson json   = gpr::app::glbChunksOf(file).json;
+	const Json               levels = Json::parse(content(path("report.json")))["levels"];
+	EXPECT_EQ(json["scenes"][0]["nodes"], Json({0}));
+	EXPECT_EQ(json["nodes"][0]["extensions"]["MSFT_lod"]["ids"], Json({1, 2}));
+	EXPECT_EQ(json["extensionsUsed"], Json({"MSFT_lod"}));
+	ASSERT_EQ(json["nodes"].size(), 3u);
+	for (int i = 0; i < 3; ++i) {
+		const auto&       node     = json["nodes"][i];
+		const auto&       triangle = json["meshes"][int(node["mesh"])]["primitives"][0];
+		const std::size_t position = triangle["attributes"]["POSITION"];
+		EXPECT_EQ(json["accessors"][position]["count"], 300 - 100 * i);
+		EXPECT_EQ(node["extras"]["largestError"], levels[i]["error"]["hausdorff"]["upper"]);
+	}
+	ASSERT_EQ(run({"remesh", path("all.glb"), path("again.ply"), "--vertices", "50"}).exitCode, 0);
+	const ProgramResult info = run({"info", path("all.glb")});
+	EXPECT_NE(info.out.find("300"), std::string::npos) << "the finest level: " << info.out;
+	ASSERT_EQ(run({"levels", in, path("out_{level}.glb"), "--vertices", "300,200"}).exitCode, 0);
+	EXPECT_EQ(gpr::app::glbChunksOf(content(path("out_2.glb"))).json["nodes"].size(), 1u);
 }
 
 TEST_F(Levels, MistakesAreUsage)

@@ -84,6 +84,16 @@ TEST_F(Pieces, WhatCannotBeMeantIsRefusedBeforeAnyWork)
 	EXPECT_FALSE(std::filesystem::exists(path("made")));
 }
 
+TEST_F(Pieces, AnInputThatCannotBeReadLeavesNoFolder)
+{
+	const std::string west = put("west.ply", binaryPly(square(0), true, false));
+	EXPECT_EQ(run({"remesh", west, path("none.ply"), "--out-dir", path("made/deep/")}).exitCode, 3);
+	EXPECT_FALSE(std::filesystem::exists(path("made")));
+	std::filesystem::create_directory(path("there"));
+	EXPECT_EQ(run({"remesh", west, path("none.ply"), "--out-dir", path("there")}).exitCode, 3);
+	EXPECT_TRUE(std::filesystem::exists(path("there")));
+}
+
 TEST_F(Pieces, APeriodicCellHasMatchingBorders)
 {
 	const std::string   cell = put("cell.ply", binaryPly(square(0), true, false));

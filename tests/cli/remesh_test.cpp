@@ -706,6 +706,32 @@ TEST_F(Remesh, InfoTellsWhatIsThere)
 	EXPECT_NE(text.out.find("121 vertices, 200 faces"), std::string::npos) << text.out;
 }
 
+TEST_F(Remesh, InfoTellsRegionsAndJunctions)
+{
+	const std::string three =
+		put("three.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv -1 0 0\nv -1 0 1\n"
+						 "v 0 1 0\nv 0 1 1\nv 9 0 0\nv 9 0 2\nv 9 2 0\n"
+						 "g red\nf 1 2 4 3\nf 1 2 6 5\nf 9 10 11\ng blue\nf 1 2 8 7\n");
+	const Json parts = info(three);
+	ASSERT_EQ(parts["regions"].size(), 2u);
+	EXPECT_EQ(parts["regions"][0]["name"], "red");
+	EXPECT_EQ(parts["regions"][0]["faces"], 5);
+	EXPECT_EQ(parts["regions"][0]["pieces"], 2);
+	EXPECT_EQ(parts["regions"][0]["area"], 4.0);
+	EXPECT_EQ(parts["regions"][1]["name"], "blue");
+	EXPECT_EQ(parts["regions"][1]["pieces"], 1);
+	EXPECT_EQ(parts["junctions"]["edges"], 1);
+	EXPECT_EQ(parts["junctions"]["length"], 1.0);
+	const ProgramResult text = run({"info", three});
+	EXPECT_NE(text.out.find("2 regions in 3 pieces"), std::string::npos) << text.out;
+	EXPECT_NE(text.out.find("red: 5 faces, area 4, 2 pieces"), std::string::npos) << text.out;
+	EXPECT_NE(text.out.find("junctions 1 edge with more than two faces, 1 long"),
+			  std::string::npos);
+	const Json plain = info(put("ball.ply", asciiPly(sphere(10))));
+	EXPECT_TRUE(plain["regions"].empty());
+	EXPECT_EQ(plain["junctions"]["edges"], 0);
+}
+
 /// A sphere as ASCII PLY whose vertices in the upper half are selected.
 static std::string sphereHalfSelected()
 {

@@ -475,12 +475,13 @@ TEST_F(TileRun, DamagedFilesAreToldNotUsed)
 		std::string       bad  = good;
 		bad[bad.size() / 2]    = char(bad[bad.size() / 2] ^ 8);
 		put(name, bad);
-		expectFailure(run({"tile", "join", path("run")}), 3, "not as it was written");
+		expectFailure(run({"tile", "join", path("run")}), 3, "differs from the written file");
 		put(name, good);
 	}
 	std::filesystem::remove(path("run/part1.json"));
 	put("run/tile1.ply", content(path("run/tile1.ply")).substr(0, 500));
-	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "not as it was written");
+	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3,
+				  "differs from the written file");
 	put("run/split.json", "{");
 	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "damaged");
 }
@@ -490,6 +491,7 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));
 	expectFailure(run({"tile", "split", path("run")}), 2, "holds no plan");
 	expectFailure(run({"tile", "plan", path("run"), in, "--max-error", "0.1%"}), 2, "--max-error");
+	expectFailure(run({"tile", "plan", path("run"), in, "--edge-length", "1%"}), 2, "percent");
 	expectFailure(run({"tile", "plan", path("run"), in, "--boundary", "keep"}), 2,
 				  "--boundary keep");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),

@@ -26,6 +26,7 @@ TEST(Corpus, EveryCaseOfTheEngineEndsWell)
 		const auto* const data  = reinterpret_cast<const std::uint8_t*>(bytes.data());
 		for (const CaseSize size : {CaseSize::Any, CaseSize::Small})
 			EXPECT_EQ(complaintsAbout(caseOf(data, bytes.size(), size)), "") << file;
+		EXPECT_EQ(complaintsAbout(caseOfParts(data, bytes.size())), "") << file;
 	}
 }
 

@@ -5,8 +5,10 @@
 #include <tests/support/mesh_audit.h>
 #include <vcg_extras/core/remesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace gpr::test {
 
@@ -90,10 +92,11 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 	const bool isRefusal = status == Status::CountTooSmall || status == Status::UnusableInput ||
 						   status == Status::BadOptions || status == Status::OutOfMemory;
 	// Faces without area may hold a surface together, and then no other faces can; a check asked
-	// for may find what it looks for.
-	const bool isWithheld =
-		status == Status::PromiseBroken && (message.find("without area") != std::string::npos ||
-											message.find("self-intersecting") != std::string::npos);
+	// for may find what it looks for. Sheets at one place cannot be kept apart.
+	const bool isWithheld = status == Status::PromiseBroken &&
+							(message.find("degenerate faces") != std::string::npos ||
+							 message.find("self-intersecting") != std::string::npos ||
+							 message.find("other junctions") != std::string::npos);
 	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;
 	return message.empty() || message.back() != '.' ? "no sentence" : "";
 }
@@ -111,11 +114,60 @@ std::string complaintsAboutMesh(const RemeshResult& r, const RemeshOptions& o)
 	return text;
 }
 
+/// Sheets that meet in junctions are no manifold.
+std::string complaintsAboutSheets(const RemeshResult& r, const RemeshOptions& o)
+{
+	const SurfaceFacts facts = factsOf(r.mesh);
+	std::string        text;
+	if (facts.indicesOutOfRange + facts.repeatedCorners + facts.duplicateFaces > 0)
+		text += " faces";
+	if (facts.unusedVertices + facts.notFinite > 0) text += " vertices";
+	if (facts.zeroAreaFaces > 0) text += " without area";
+	if (!r.report.audit.junctionsKept) text += " junctions";
+	const bool isOrder = !o.allowNearest; // a wish may get others, where sheets lie on each other
+	if (isOrder && std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) {
+		text += " " + std::to_string(r.mesh.vertexNum()) + " vertices in place of " +
+				std::to_string(r.report.targetVertexNum);
+	}
+	return text;
+}
+
+std::string complaintsAboutRegions(const MeshView& view, const RemeshResult& r)
+{
+	if (view.region == nullptr) return r.region.empty() ? "" : " regions of nothing";
+	if (r.region.size() != r.mesh.faceNum()) return " regions";
+	const std::set<std::int32_t> labels(view.region, view.region + view.faceNum);
+	for (const std::int32_t label : r.region) {
+		if (labels.count(label) == 0) return " a label that is not there";
+	}
+	return "";
+}
+
+/// A result with a period has vertices at least one period apart.
+std::string complaintsAboutPeriod(const RemeshResult& r, const RemeshOptions& o)
+{
+	const double period[3] = {o.period.x, o.period.y, o.period.z};
+	std::string  text;
+	for (int axis = 0; axis < 3; ++axis) {
+		if (!(period[axis] > 0)) continue;
+		double least = HUGE_VAL, most = -HUGE_VAL;
+		for (const Vec3d& p : r.mesh.positions) {
+			const double x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+			least          = std::min(least, x);
+			most           = std::max(most, x);
+		}
+		if (most - least < period[axis] * (1 - 1e-9)) text += " period";
+	}
+	return text;
+}
+
 std::string runRemesh(const MeshView& view, const RemeshOptions& o)
 {
 	const RemeshResult r = remesh(view, o);
 	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
-	return complaintsAboutMesh(r, o);
+	const bool        meets = o.junctions == JunctionMode::Keep && !isPaper(o);
+	const std::string text  = meets ? complaintsAboutSheets(r, o) : complaintsAboutMesh(r, o);
+	return text + complaintsAboutRegions(view, r) + complaintsAboutPeriod(r, o);
 }
 
 std::string runSample(const MeshView& view, const RemeshOptions& o)
@@ -191,10 +243,26 @@ FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize)
 	return c;
 }
 
+FuzzCase caseOfParts(const std::uint8_t* data, std::size_t size)
+{
+	FuzzCase       c    = caseOf(data, size, CaseSize::Small);
+	RemeshOptions& o    = c.options;
+	const int      bits = size > 0 ? data[size - 1] : 0;
+	c.tool              = FuzzCase::Tool::Remesh;
+	o.featureRegion     = FeatureRegion::None;
+	o.junctions         = (bits & 1) ? JunctionMode::Keep : JunctionMode::Cut;
+	if (bits & 2) o.boundary = BoundaryMode::Match;
+	if ((bits & 12) == 12) o.period = {7, (bits & 16) ? 7.0 : 0, 0};
+	for (std::size_t f = 0; f < c.mesh.faceNum(); ++f)
+		c.region.push_back((c.mesh.triangles[3 * f] + bits) % (1 + bits / 64));
+	return c;
+}
+
 std::string complaintsAbout(const FuzzCase& c)
 {
 	MeshView view = c.mesh.view();
 	view.selected = c.selected.data();
+	if (!c.region.empty()) view.region = c.region.data();
 	switch (c.tool) {
 	case FuzzCase::Tool::Remesh:
 		return runRemesh(view, c.options);

@@ -16,10 +16,11 @@ namespace gpr::test {
 struct FuzzCase {
 	enum class Tool { Remesh, Sample, Retriangulate, Detect };
 
-	TriangleMesh         mesh;
-	std::vector<uint8_t> selected;
-	RemeshOptions        options;
-	Tool                 tool = Tool::Remesh;
+	TriangleMesh              mesh;
+	std::vector<uint8_t>      selected;
+	std::vector<std::int32_t> region; ///< labels of the faces, or none
+	RemeshOptions             options;
+	Tool                      tool = Tool::Remesh;
 };
 
 /// How large what is made of bytes may be. Small cases take a tenth of the time in the mean, so
@@ -29,6 +30,10 @@ enum class CaseSize { Any, Small };
 /// Vertices on a small whole-numbered grid, so that bytes that differ give corners in a line, faces
 /// one on the other, and coordinates that are equal.
 FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize = CaseSize::Any);
+
+/// A small case whose faces have labels, with junctions, matched borders and periods, all from the
+/// same bytes.
+FuzzCase caseOfParts(const std::uint8_t* data, std::size_t size);
 
 /// Runs it: what is wrong with the outcome, in words; empty where it is a sound result or a refusal
 /// that makes sense.

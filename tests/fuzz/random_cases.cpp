@@ -3,7 +3,8 @@
 
 // gpr_random_cases TARGET NUM [SEED [SECONDS]]: cases of the corpus with random bytes changed, at
 // the speed of an ordinary build and with any compiler; ends at the first fault or after so many
-// seconds. TARGET is pipeline, small (the same with small meshes), ply, obj, off, stl or glb.
+// seconds. TARGET is pipeline, small (the same with small meshes), parts (small
+// meshes with labels, junctions, matched borders and periods), ply, obj, off, stl or glb.
 // Less cunning than the fuzzer, but a hundred times faster.
 
 #include "corpus.h"
@@ -69,7 +70,8 @@ std::string complaintsAbout(const std::string& target, const std::string& bytes)
 	if (target == "stl") return test::complaintsAbout(app::readStl, bytes);
 	if (target == "glb") return test::complaintsAbout(app::readGlb, bytes);
 	const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-	const auto        size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;
+	if (target == "parts") return test::complaintsAbout(test::caseOfParts(data, bytes.size()));
+	const auto size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;
 	return test::complaintsAbout(test::caseOf(data, bytes.size(), size));
 }
 
@@ -84,7 +86,8 @@ int main(int argc, char** argv)
 	const double        limit  = argc > 4 ? std::atof(argv[4]) : 1e9;
 
 	std::vector<std::string> cases;
-	for (const auto& file : gpr::test::corpusFiles(target == "small" ? "pipeline" : target))
+	const bool               isOfEngine = target == "small" || target == "parts";
+	for (const auto& file : gpr::test::corpusFiles(isOfEngine ? "pipeline" : target))
 		cases.push_back(gpr::test::bytesOf(file));
 	Random     random(seed);
 	const auto start   = Clock::now();

@@ -15,6 +15,8 @@ from pathlib import Path
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-angle=swiftshader",
              "--enable-unsafe-swiftshader", "--proxy-server=127.0.0.1:9", "--disable-background-networking"]
 
+PATIENCE = 300  # seconds, for an answer of the page; a busy machine without a graphics card draws a large mesh slowly
+
 
 def missing():
     """The names of programs that are needed and not there."""
@@ -27,7 +29,7 @@ class Browser:
         self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
         self.address = "http://127.0.0.1:%d" % self._port()
         options = {"binary": shutil.which("chromium"), "args": ARGUMENTS + [f"--user-data-dir={folder}"]}
-        wanted = {"browserName": "chrome", "goog:loggingPrefs": {"browser": "ALL"}, "goog:chromeOptions": options}
+        wanted = {"browserName": "chrome", "timeouts": {"script": 1000 * PATIENCE}, "goog:loggingPrefs": {"browser": "ALL"}, "goog:chromeOptions": options}
         self.session = ""
         try:
             started = self._call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
@@ -46,7 +48,7 @@ class Browser:
     def _call(self, method, path, content=None):
         data = None if content is None else json.dumps(content).encode()
         request = urllib.request.Request(self.address + path, data, {"Content-Type": "application/json"}, method=method)
-        with urllib.request.build_opener(urllib.request.ProxyHandler({})).open(request, timeout=120) as answer:
+        with urllib.request.build_opener(urllib.request.ProxyHandler({})).open(request, timeout=PATIENCE + 20) as answer:
             return json.load(answer)["value"]
 
     def close(self):

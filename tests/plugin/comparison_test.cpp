@@ -158,7 +158,7 @@ TEST(CompareFilter, LogHasTheTable)
 		  "largest distance -", "99.9 % of the points are nearer than p99.9"}) {
 		EXPECT_TRUE(log.contains(row)) << row;
 	}
-	EXPECT_TRUE(log.contains("boundary loops 0 0 0"));
+	EXPECT_TRUE(log.contains("border loops 0 0 0"));
 	EXPECT_TRUE(log.contains("Euler characteristic 2 2 2"));
 }
 

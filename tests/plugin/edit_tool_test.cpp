@@ -5,13 +5,19 @@
 
 #include "edit/preview_worker.h"
 #include "edit/recipe.h"
+#include "edit/remesh_panel.h"
 #include "filter_text.h"
 #include "host.h"
 #include "layer_job.h"
 
 #include <vcg_extras/core/remesh.h>
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
+#include <QSlider>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <chrono>
 #include <cmath>
@@ -36,6 +42,23 @@ Values someValues()
 		{"Features", std::int64_t(2)},          {"SewSeams", false},         {"NewLayer", false}};
 }
 
+/// A panel for a layer of 5000 vertices, as its user handles it.
+struct Panel {
+	gpr_filter::RemeshPanel panel;
+
+	explicit Panel(const Values& values = {}) : panel({5000, 1.0, false}, values, {}, nullptr) {}
+
+	template <class Widget>
+	Widget& find(const char* name)
+	{
+		return *panel.findChild<Widget*>(name);
+	}
+	QSpinBox&    field() { return find<QSpinBox>("TargetVertexNum"); }
+	QSlider&     slider() { return find<QSlider>("TargetVertexNumSlider"); }
+	QComboBox&   unit() { return find<QComboBox>("CountUnit"); }
+	std::int64_t value(const char* key) { return std::get<std::int64_t>(panel.values().at(key)); }
+};
+
 RichParameterList listOf(const QString& script)
 {
 	const QTemporaryDir folder;
@@ -53,6 +76,59 @@ RichParameterList listOf(const QString& script)
 	EXPECT_EQ(read.at(0).filterName().toStdString(),
 			  gpr_filter::textOf(gpr_filter::RemeshFilter).name);
 	return read.at(0).second;
+}
+
+TEST(Panel, ItsSliderCountsFacesByChoice)
+{
+	Panel p;
+	EXPECT_EQ(p.field().value(), 500);
+	const int step = p.slider().value();
+	p.unit().setCurrentIndex(1);
+	EXPECT_EQ(p.value("TargetFaceNum"), 1000);
+	EXPECT_EQ(p.field().value(), 1000);
+	EXPECT_EQ(p.slider().value(), step) << "the same size";
+
+	p.slider().setValue(step + 100);
+	const std::int64_t faceNum = p.value("TargetFaceNum");
+	EXPECT_GT(faceNum, 1000);
+	EXPECT_EQ(faceNum % 2, 0) << "closed surfaces have no other";
+	EXPECT_EQ(p.field().value(), faceNum);
+	p.field().setValue(1024);
+	EXPECT_EQ(p.value("TargetFaceNum"), 1024);
+
+	p.unit().setCurrentIndex(0);
+	EXPECT_EQ(p.value("TargetFaceNum"), 0);
+	EXPECT_EQ(p.value("TargetVertexNum"), 512);
+	EXPECT_EQ(p.field().value(), 512);
+}
+
+TEST(Panel, AnotherSizeTakesThePlaceOfTheFaces)
+{
+	Panel p({{"TargetFaceNum", std::int64_t(2000)}});
+	EXPECT_EQ(p.unit().currentIndex(), 1) << "as it was left";
+	EXPECT_EQ(p.field().value(), 2000);
+	p.find<QDoubleSpinBox>("TargetPerc").setValue(20);
+	EXPECT_EQ(p.value("TargetFaceNum"), 0);
+	EXPECT_EQ(p.unit().currentIndex(), 0);
+	p.unit().setCurrentIndex(1);
+	EXPECT_EQ(std::get<double>(p.panel.values().at("TargetPerc")), 0);
+	EXPECT_GT(p.value("TargetFaceNum"), 0);
+}
+
+TEST(Panel, TellsFirstWhatIsCounted)
+{
+	gpr_filter::Preview preview;
+	gpr::RemeshResult   result;
+	result.mesh.positions.resize(12);
+	result.mesh.triangles.resize(60);
+	preview.result = std::make_shared<const gpr::RemeshResult>(result);
+	for (const int index : {0, 1}) {
+		Panel p;
+		p.unit().setCurrentIndex(index);
+		p.panel.showFigures(preview, 1);
+		const QString first = index == 0 ? "12 vertices, 20 faces" : "20 faces, 12 vertices";
+		EXPECT_TRUE(p.find<QLabel>("Figures").text().startsWith(first));
+	}
 }
 
 TEST(Recipe, TheScriptMakesTheMeshOfTheValues)

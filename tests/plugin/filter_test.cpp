@@ -9,6 +9,7 @@
 #include <vcg_extras/core/remesh.h>
 
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -288,6 +289,233 @@ TEST(Filter, WhatFacesWedgesAndUsersHaveIsCarriedOver)
 				ASSERT_LT(vcg::Distance(f.WT(k).P(), chart(f.P(k), isRight(f))), 1e-3);
 		}
 	}
+}
+
+/// A disk in the middle of the sheet, which is flat: no line without regions.
+bool isInDisk(const CFaceO& f)
+{
+	return vcg::SquaredDistance(vcg::Barycenter(f), Point3m(Scalarm(.5), Scalarm(.5), 0)) <
+		   Scalarm(.09);
+}
+
+/// Gives the sheet regions by its texture index, face colour and face quality.
+void markDisk(MeshModel& sheet)
+{
+	sheet.updateDataMask(MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_FACECOLOR |
+						 MeshModel::MM_FACEQUALITY);
+	sheet.cm.textures.push_back("wood.png");
+	sheet.cm.textures.push_back("wood.png");
+	for (CFaceO& f : sheet.cm.face) {
+		const bool inside = isInDisk(f);
+		f.Q()             = inside ? 7 : -3;
+		f.C()             = inside ? vcg::Color4b::Red : vcg::Color4b::Blue;
+		for (int k = 0; k < 3; ++k) {
+			f.WT(k).U() = float(f.P(k)[0]);
+			f.WT(k).V() = float(f.P(k)[1]);
+			f.WT(k).N() = 0;
+		}
+	}
+}
+
+/// The area of the red faces, which are those of quality 7.
+double redArea(const CMeshO& mesh)
+{
+	double area = 0;
+	for (const CFaceO& f : mesh.face) {
+		const bool isRed = f.cC() == vcg::Color4b(vcg::Color4b::Red);
+		EXPECT_EQ(f.cQ(), Scalarm(isRed ? 7 : -3));
+		if (isRed) area += double(vcg::DoubleArea(f)) / 2;
+	}
+	return area;
+}
+
+std::vector<double> coordinates(const CMeshO& mesh)
+{
+	std::vector<double> all;
+	for (const CVertexO& v : mesh.vert) {
+		for (int k = 0; k < 3; ++k)
+			all.push_back(double(v.cP()[k]));
+	}
+	return all;
+}
+
+TEST(Filter, RegionsByColourOrQualityAreFollowed)
+{
+	std::vector<double> without;
+	for (const int source : {0, 2, 3}) {
+		Document   document;
+		MeshModel& sheet = addSheet(document);
+		markDisk(sheet);
+		const double      wanted = redArea(sheet.cm);
+		RichParameterList list   = withCount(document, 300);
+		list.setValue("Regions", EnumValue(source));
+		ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+		EXPECT_EQ(sheet.cm.vn, 300);
+		const double              area = redArea(sheet.cm);
+		const std::vector<double> made = coordinates(sheet.cm);
+		if (source == 0) {
+			without = made;
+			continue;
+		}
+		EXPECT_NEAR(area / wanted, 1, 0.002) << source;
+		EXPECT_NE(made, without) << source;
+	}
+}
+
+TEST(Filter, RegionsByTextureKeepTheirIndex)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	markDisk(sheet);
+	for (CFaceO& f : sheet.cm.face) {
+		for (int k = 0; k < 3; ++k)
+			f.WT(k).N() = isInDisk(f) ? 1 : 0;
+	}
+	RichParameterList list = withCount(document, 300);
+	list.setValue("Regions", EnumValue(1));
+	const double wanted = redArea(sheet.cm);
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+	double area = 0;
+	for (const CFaceO& f : sheet.cm.face) {
+		const bool isRed = f.cC() == vcg::Color4b(vcg::Color4b::Red);
+		for (int k = 0; k < 3; ++k)
+			ASSERT_EQ(f.cWT(k).N(), isRed ? 1 : 0);
+		if (f.cWT(0).N() == 1) area += double(vcg::DoubleArea(f)) / 2;
+	}
+	EXPECT_NEAR(area / wanted, 1, 0.002);
+}
+
+TEST(Filter, RegionsThatALayerDoesNotTellAreRefused)
+{
+	for (const int source : {1, 2, 3}) {
+		Document document;
+		addSheet(document);
+		const Snapshot    before(document);
+		RichParameterList list = withCount(document, 300);
+		list.setValue("Regions", EnumValue(source));
+		EXPECT_FALSE(apply(document, list));
+		EXPECT_TRUE(document.logText().contains("which the layer does not have"));
+		EXPECT_TRUE(before == Snapshot(document));
+	}
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	markDisk(sheet);
+	sheet.cm.face[7].Q()   = Scalarm(.5);
+	RichParameterList list = withCount(document, 300);
+	list.setValue("Regions", EnumValue(3));
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_TRUE(document.logText().contains("no whole number"));
+}
+
+/// Mean edge length of the faces on the left and on the right.
+std::pair<double, double> edgesOfHalves(const CMeshO& mesh)
+{
+	double sum[2] = {0, 0};
+	int    num[2] = {0, 0};
+	for (const CFaceO& f : mesh.face) {
+		const int side = vcg::Barycenter(f)[0] > 0.5;
+		for (int k = 0; k < 3; ++k) {
+			sum[side] += double(vcg::Distance(f.cP(k), f.cP((k + 1) % 3)));
+			++num[side];
+		}
+	}
+	return {sum[0] / num[0], sum[1] / num[1]};
+}
+
+TEST(Filter, VertexQualityIsASize)
+{
+	for (const int use : {1, 2}) {
+		Document   document;
+		MeshModel& sheet = addSheet(document);
+		sheet.updateDataMask(MeshModel::MM_VERTQUALITY);
+		for (CVertexO& v : sheet.cm.vert)
+			v.Q() = Scalarm(0.04) + Scalarm(0.04) * v.P()[0];
+		RichParameterList list = withCount(document, 200);
+		list.setValue("QualitySizes", EnumValue(use));
+		ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+		const auto [left, right] = edgesOfHalves(sheet.cm);
+		EXPECT_NEAR(right / left, 0.07 / 0.05, 0.1);
+		if (use == 1)
+			EXPECT_NEAR(left, 0.05, 0.004) << "exact: " << sheet.cm.vn;
+		else
+			EXPECT_EQ(sheet.cm.vn, 200);
+	}
+}
+
+TEST(Filter, VertexQualityThatIsNoSizeIsRefused)
+{
+	Document          document;
+	MeshModel&        sheet = addSheet(document);
+	RichParameterList list  = withCount(document, 200);
+	list.setValue("QualitySizes", EnumValue(1));
+	sheet.clearDataMask(MeshModel::MM_VERTQUALITY);
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_TRUE(document.logText().contains("Sizes shall come from the quality"));
+	sheet.updateDataMask(MeshModel::MM_VERTQUALITY);
+	for (CVertexO& v : sheet.cm.vert)
+		v.Q() = 0;
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_TRUE(document.logText().contains("not above 0"));
+}
+
+/// Vertices on one side of the sheet, by the coordinate along it.
+std::vector<Scalarm> alongSide(const CMeshO& mesh, Scalarm x)
+{
+	std::vector<Scalarm> along;
+	for (const CVertexO& v : mesh.vert)
+		if (v.cP()[0] == x) along.push_back(v.cP()[1]);
+	std::sort(along.begin(), along.end());
+	return along;
+}
+
+TEST(Filter, SidesOfAPeriodicSheetMatch)
+{
+	Document          document;
+	MeshModel&        sheet = addSheet(document);
+	RichParameterList list  = withCount(document, 200);
+	list.setValue("PeriodX", AbsPercValue(1));
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+	EXPECT_GT(alongSide(sheet.cm, 0).size(), 5u);
+	EXPECT_EQ(alongSide(sheet.cm, 0), alongSide(sheet.cm, 1));
+	list.setValue("PeriodX", AbsPercValue(Scalarm(.75)));
+	EXPECT_FALSE(apply(document, list));
+}
+
+/// Two sheets cross: four faces at each edge where they meet.
+TEST(Filter, JunctionsAreKept)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	const int  half  = sheet.cm.vn;
+	auto       added = vcg::tri::Allocator<CMeshO>::AddVertices(sheet.cm, std::size_t(half));
+	for (int v = 0; v < half; ++v, ++added) {
+		const Point3m p = sheet.cm.vert[std::size_t(v)].P();
+		added->P()      = Point3m(Scalarm(.5), p[1], p[0] - Scalarm(.5));
+	}
+	const int faceNum = sheet.cm.fn;
+	for (int f = 0; f < faceNum; ++f) {
+		const auto corner = [&](int k) {
+			return int(vcg::tri::Index(sheet.cm, sheet.cm.face[std::size_t(f)].V(k)));
+		};
+		const int a = corner(0), b = corner(1), c = corner(2);
+		vcg::tri::Allocator<CMeshO>::AddFace(sheet.cm, std::size_t(a + half), std::size_t(b + half),
+											 std::size_t(c + half));
+	}
+	vcg::tri::Clean<CMeshO>::RemoveDuplicateVertex(sheet.cm);
+	vcg::tri::Allocator<CMeshO>::CompactEveryVector(sheet.cm);
+	gpr_filter::updateBoxAndNormals(sheet);
+	const auto crossing = [&] {
+		sheet.updateDataMask(MeshModel::MM_FACEFACETOPO);
+		const int num = vcg::tri::Clean<CMeshO>::CountNonManifoldEdgeFF(sheet.cm);
+		sheet.clearDataMask(MeshModel::MM_FACEFACETOPO);
+		return num;
+	};
+	ASSERT_EQ(crossing(), 50);
+	RichParameterList list = withCount(document, 500);
+	list.setValue("Junctions", EnumValue(1));
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+	EXPECT_EQ(sheet.cm.vn, 500);
+	EXPECT_GT(crossing(), 5);
 }
 
 TEST(Filter, TheSelectionIsRemeshedAndTheRestIsLeftAlone)

@@ -5,6 +5,9 @@
 //   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates; vertex
 //                                        quality from 0 below to 1 above, some vertices and faces
 //                                        selected
+//   plugin_mesh_tool regions OUT.ply     the same torus with labels as the quality of its faces
+//   plugin_mesh_tool labels A.ply B.ply  ends with 0 where the quality of all faces is the same
+//   plugin_mesh_tool sized OUT.ply       the same torus with edge lengths as the vertex quality
 //   plugin_mesh_tool scan OUT.ply N      the same torus with 2 N x N vertices and nothing else
 //   plugin_mesh_tool roof OUT.ply        two square sheets of 41 x 41 vertices at a right angle
 //   plugin_mesh_tool ridge OUT.ply       the vertices where they meet
@@ -33,7 +36,8 @@ struct ToolTypes
 		: vcg::UsedTypes<vcg::Use<ToolVertex>::AsVertexType, vcg::Use<ToolFace>::AsFaceType> {};
 class ToolVertex : public vcg::Vertex<ToolTypes, vcg::vertex::Coord3f, vcg::vertex::Qualityf,
 									  vcg::vertex::BitFlags> {};
-class ToolFace : public vcg::Face<ToolTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class ToolFace : public vcg::Face<ToolTypes, vcg::face::VertexRef, vcg::face::Qualityf,
+								  vcg::face::BitFlags> {};
 class ToolMesh : public vcg::tri::TriMesh<std::vector<ToolVertex>, std::vector<ToolFace>> {};
 
 /// A point of a torus with bumps, u and v in [0, 1).
@@ -134,6 +138,18 @@ bool sameMarks(const ToolMesh& a, const ToolMesh& b)
 	return true;
 }
 
+bool sameLabels(const ToolMesh& a, const ToolMesh& b)
+{
+	if (a.fn != b.fn) return false;
+	for (int f = 0; f < a.fn; ++f) {
+		const float one = a.face[std::size_t(f)].cQ(), other = b.face[std::size_t(f)].cQ();
+		if (one == other) continue;
+		std::fprintf(stderr, "face %d: %g against %g\n", f, double(one), double(other));
+		return false;
+	}
+	return true;
+}
+
 template <class Container>
 long selectedNum(const Container& elements)
 {
@@ -163,6 +179,27 @@ int main(int argc, char** argv)
 		makeTorus(a, 160, 80);
 		addAttributes(a);
 		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2], mask) == 0 ? 0 : 1;
+	}
+	if (task == "regions" && argc == 3) {
+		makeTorus(a, 160, 80);
+		for (ToolFace& f : a.face) // two bands and what is between them
+			f.Q() = std::floor(1.99f * f.P(0)[0]);
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2],
+														 vcg::tri::io::Mask::IOM_FACEQUALITY) == 0
+				   ? 0
+				   : 1;
+	}
+	if (task == "sized" && argc == 3) {
+		makeTorus(a, 160, 80);
+		for (ToolVertex& v : a.vert)
+			v.Q() = 0.1f + 0.03f * v.P()[0];
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2],
+														 vcg::tri::io::Mask::IOM_VERTQUALITY) == 0
+				   ? 0
+				   : 1;
+	}
+	if (task == "labels" && argc == 4) {
+		return open(a, argv[2]) && open(b, argv[3]) && sameLabels(a, b) ? 0 : 1;
 	}
 	if (task == "scan" && argc == 4) {
 		makeTorus(a, 2 * std::stoi(argv[3]), std::stoi(argv[3]));

@@ -293,6 +293,29 @@ TEST(Junctions, RandomCellsStayClosed)
 	}
 }
 
+TEST(Junctions, AWishTakesMoreVerticesWhereSheetsWouldIntersect)
+{
+	// Two rooms of flat walls: an error needs no more vertices than fewer than the sheets need.
+	const Complex rooms = Walls(2, [](const std::array<int, 3>& cell) {
+							  return cell[1] == 0 && cell[2] == 0 ? 1 + cell[0] : 0;
+						  }).take();
+	RemeshOptions error, detail, length;
+	error.targetMode     = TargetMode::MaxError;
+	error.targetMaxError = 0.01;
+	detail.targetMode    = TargetMode::Detail;
+	detail.targetDetail  = Detail::Coarse;
+	length.targetMode    = TargetMode::EdgeLength;
+	length.targetEdgeLen = 2;
+	for (RemeshOptions o : {error, detail, length}) {
+		o.junctions               = JunctionMode::Keep;
+		o.check                   = true;
+		const RemeshResult result = remesh(rooms.mesh.view(), o);
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		EXPECT_EQ(factsOfJunctions(result.mesh), factsOfJunctions(rooms.mesh));
+		EXPECT_EQ(result.report.check.intersectingFaces, 0);
+	}
+}
+
 TEST(Junctions, AreTheSameForAnyThreads)
 {
 	Random             random(3);

@@ -116,9 +116,13 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	std::vector<std::int32_t> region(mesh.faceNum());
 	for (std::size_t f = 0; f < region.size(); ++f)
 		region[f] = std::int32_t(f);
+	std::vector<std::uint8_t> selected; // the half with small x
+	for (const Vec3d& p : mesh.positions)
+		selected.push_back(p.x <= 0.5);
 	MeshView view = mesh.view();
 	view.line     = line.data();
 	view.region   = region.data();
+	view.selected = selected.data();
 	Workers             workers(1, nullptr);
 	const MatchedBorder to = matchBorder(view, 0.06, {}, workers); // several samples on each edge
 	const TriangleMesh  split{to.positions, to.triangles};
@@ -143,6 +147,8 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	const auto added = std::int64_t(split.vertexNum()) - std::int64_t(mesh.vertexNum());
 	EXPECT_GT(added, 40);
 	EXPECT_EQ(lineNum, std::int64_t(line.size()) + added); // no line along a cut
+	for (std::size_t v = 0; v < split.vertexNum(); ++v)
+		EXPECT_EQ(to.selected[v] != 0, split.positions[v].x <= 0.5) << split.positions[v].x;
 }
 
 TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)
@@ -247,7 +253,7 @@ TEST(PeriodicBorder, EndsThatDifferAreRefusedWithTheLargestMismatch)
 	const RemeshResult result = remesh(mesh.view(), periodicOptions(0.1));
 	EXPECT_EQ(result.status, Status::UnusableInput);
 	EXPECT_NE(result.message.find("not periodic along X"), std::string::npos) << result.message;
-	EXPECT_NE(result.message.find("off by 0.025"), std::string::npos) << result.message;
+	EXPECT_NE(result.message.find("is 0.025 away"), std::string::npos) << result.message;
 	EXPECT_TRUE(result.mesh.positions.empty());
 }
 

@@ -392,7 +392,7 @@ TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
 		const RemeshResult r  = remesh(mesh.view(), options);
 		// Where most faces have no area to begin with, a result may have to be withheld.
 		if (r.status == Status::PromiseBroken) {
-			EXPECT_NE(r.message.find("without area"), std::string::npos) << r.message;
+			EXPECT_NE(r.message.find("degenerate faces"), std::string::npos) << r.message;
 			continue;
 		}
 		expectSoundOrRefused(r, options);
@@ -464,7 +464,7 @@ TEST(MaxError, IsMetByAFewVerticesAndTold)
 		EXPECT_LE(r.report.errorTrialNum, 5);
 		EXPECT_LT(r.mesh.vertexNum(), mesh.vertexNum());
 		ASSERT_FALSE(r.notes.empty());
-		EXPECT_NE(r.notes.back().find("This is proven"), std::string::npos);
+		EXPECT_NE(r.notes.back().find("is proven to be"), std::string::npos);
 		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
 	}
 }

@@ -119,6 +119,36 @@ TEST(Sizes, OfTheLargestEdgeAloneGiveTheCount)
 	EXPECT_NEAR(r.report.quality.meanEdgeLen, 0.1, 0.003);
 }
 
+/// A length in percent of the diagonal is the same run as its length in mesh units.
+TEST(Sizes, InPercentAreSharesOfTheDiagonal)
+{
+	const TriangleMesh mesh     = icosphere(4);
+	const double       diagonal = 2 * std::sqrt(3.0);
+	RemeshOptions      units = sizeOptions(), percent = sizeOptions();
+	units.minEdge            = 0.02 * diagonal;
+	units.maxEdge            = 0.04 * diagonal;
+	percent.minEdge          = 2;
+	percent.maxEdge          = 4;
+	percent.minEdgeIsPercent = percent.maxEdgeIsPercent = true;
+	const RemeshResult a = remesh(mesh.view(), units), b = remesh(mesh.view(), percent);
+	ASSERT_EQ(b.status, Status::Ok) << b.message;
+	EXPECT_NEAR(b.report.quality.meanEdgeLen, 0.04 * diagonal, 0.003 * diagonal);
+	EXPECT_EQ(a.mesh.vertexNum(), b.mesh.vertexNum());
+
+	percent.minEdge          = 0.02 * diagonal; // of another unit than the largest
+	percent.minEdgeIsPercent = false;
+	EXPECT_EQ(remesh(mesh.view(), percent).mesh.vertexNum(), b.mesh.vertexNum());
+	percent.minEdge = 0.05 * diagonal;
+	EXPECT_EQ(remesh(mesh.view(), percent).status, Status::BadOptions) << "above the largest";
+
+	RemeshOptions edge    = countOptions(0);
+	edge.targetMode       = TargetMode::EdgeLength;
+	edge.targetEdgeLen    = 4;
+	edge.edgeLenIsPercent = true;
+	EXPECT_NEAR(remesh(mesh.view(), edge).report.quality.meanEdgeLen, 0.04 * diagonal,
+				0.003 * diagonal);
+}
+
 TEST(Sizes, ThatCannotBeMeantAreRefused)
 {
 	const TriangleMesh mesh = icosphere(3);

@@ -119,6 +119,8 @@ WRONG = [
     ("edge_length", dict(edge_length=float("nan"))),
     ("max_error", dict(max_error="2")),
     ("max_error", dict(max_error="-2%")),
+    ("max_edge", dict(max_edge="-2%")),
+    ("min_edge", dict(min_edge="two%")),
     ("only one of vertex_count, face_count, percent", dict(vertex_count=100, percent=10)),
     ("preset", dict(preset="quickly")),
     ("sew", dict(sew="yes")),

@@ -225,7 +225,7 @@ def test_a_missing_file_is_named(mesh, at_urls, tmp_path):
     with pytest.raises(cluster.StepFailed, match="holds no plan"):
         at_urls.do(cluster.part_step(0))
     mesh.unlink()
-    with pytest.raises(cluster.StepFailed, match="torus.ply: it is not there"):
+    with pytest.raises(cluster.StepFailed, match="torus.ply: the file is missing"):
         at_urls.do(cluster.cut_step(at_urls.plan_options))
 
 

@@ -106,10 +106,22 @@ def test_same_bytes_messages_and_exit_codes(folders, call):
     assert content(folders[1]) == content(folders[0])
 
 
+def options_and_groups(command, flag):
+    text = run(command, ["remesh", flag], None).stdout
+    return re.findall(r"^  (?:-[oh](?: OUT)?, ?)?(--[a-z-]+)", text, re.M), re.findall(r"^(\w.*):$", text, re.M)
+
+
 def test_every_option_is_in_the_help_of_both():
-    options = [set(re.findall(r"^  (?:-o(?: OUT)?, ?)?(--[a-z-]+)", run(command, ["remesh", "--help"], None).stdout, re.M))
-               for command in (BY_PROGRAM, BY_PYTHON)]
-    assert options[0] - {"--help"} == options[1] and len(options[1]) > 30
+    options, groups = options_and_groups(BY_PROGRAM, "--help-all")
+    by_python = options_and_groups(BY_PYTHON, "--help-all")
+    assert by_python[0] == options and len(options) > 30
+    assert groups[1:-1] == [group for group in by_python[1] if group[0].isupper()] and len(groups) > 6
+
+
+def test_the_help_of_both_has_the_everyday_options():
+    everyday, _ = options_and_groups(BY_PROGRAM, "--help")
+    assert options_and_groups(BY_PYTHON, "--help")[0] == everyday
+    assert 12 <= len(everyday) <= 17 and "--seed" not in everyday and "--faces" in everyday
 
 
 @pytest.mark.parametrize("name", ["info", "features", "compare", "levels", "tile"])

@@ -41,6 +41,48 @@ def test_texture_of_a_plain_mesh():
     assert set(np.asarray(result.triangle_material_ids)) == {0, 1}
 
 
+def plate():
+    """A flat sheet with the labels 4 and 2 inside and outside of a disk."""
+    i, j = np.meshgrid(np.arange(61), np.arange(61), indexing="ij")
+    vertices = np.stack([i / 60 - 0.5, j / 60 - 0.5, 0 * i], axis=-1).reshape(-1, 3)
+    first = (np.arange(60)[:, None] * 61 + np.arange(60)).reshape(-1, 1)
+    faces = np.concatenate([first + [0, 61, 62], first + [0, 62, 1]]).astype(np.int32)
+    labels = np.where(np.linalg.norm(vertices[faces].mean(axis=1), axis=1) < 0.3, 4, 2).astype(np.int32)
+    return vertices, faces, labels
+
+
+def area_of(vertices, faces, where):
+    a, b, c = np.moveaxis(vertices[faces[where]], 1, 0)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+def test_materials_of_a_plain_mesh_tell_regions():
+    vertices, faces, labels = plate()
+    wanted = area_of(vertices, faces, labels == 4)
+    for regions in (None, "material_ids", labels, "off"):
+        mesh = open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(vertices), open3d.utility.Vector3iVector(faces))
+        if regions is not labels:
+            mesh.triangle_material_ids = open3d.utility.IntVector(labels)
+        result = gpremesh.open3d.remesh(mesh, 300, regions=regions)
+        inside = np.asarray(result.triangle_material_ids) == 4
+        off = abs(area_of(np.asarray(result.vertices), np.asarray(result.triangles), inside) / wanted - 1)
+        assert off > 3e-3 if isinstance(regions, str) and regions == "off" else off < 2e-3
+
+
+def test_attributes_of_tensors_tell_regions():
+    vertices, faces, labels = plate()
+    wanted = area_of(vertices, faces, labels == 4)
+    for name, regions in (("label", None), ("material_ids", None), ("patch", "patch"), ("patch", labels)):
+        mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(vertices), open3d.core.Tensor(faces))
+        mesh.triangle[name] = open3d.core.Tensor(labels.reshape(-1, 1))
+        result = gpremesh.open3d.remesh(mesh, 300, regions=regions)
+        found = result.triangle[name].numpy().reshape(-1)
+        points, triangles = result.vertex["positions"].numpy(), result.triangle["indices"].numpy()
+        assert area_of(points, triangles, found == 4) == pytest.approx(wanted, rel=2e-3)
+        if regions is labels:
+            assert np.array_equal(result.triangle["region"].numpy(), found)
+
+
 def test_a_mesh_of_tensors():
     vertices, faces = torus(120, 60, np.float32)
     mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(vertices), open3d.core.Tensor(faces.astype(np.int64)))

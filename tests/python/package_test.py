@@ -30,14 +30,14 @@ def test_every_parameter_is_in_signature_and_help(tool):
 
 
 def test_the_names_are_those_of_the_command_line():
-    options = set(re.findall(r"--([a-z-]+)", command_line("remesh", "--help").stdout))
-    options -= {"help", "quiet", "report", "selected", "memory", "scratch", "tiles-out", "regions", "sizes", "transfer",
+    options = set(re.findall(r"--([a-z-]+)", command_line("remesh", "--help-all").stdout))
+    options -= {"help", "help-all", "quiet", "report", "selected", "memory", "scratch", "tiles-out", "regions", "sizes", "transfer",
                 "periodic", "out-dir", "output"}
     names = {entry["name"].rstrip("_").replace("_", "-") for entry in _core.parameters("remesh")}
     names = (names - {"vertex-count", "face-count"}) | {"vertices", "faces"}
     assert names <= options
     # What the help names beside the table's options.
-    assert not {option for option in options - names if f"\n  --{option} " in command_line("remesh", "--help").stdout}
+    assert not {option for option in options - names if f"\n  --{option} " in command_line("remesh", "--help-all").stdout}
 
 
 def test_defaults_given_by_hand_change_nothing():

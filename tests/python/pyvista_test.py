@@ -39,6 +39,51 @@ def test_point_and_cell_data_are_carried_over():
     assert mesh.n_points == 7200
 
 
+def plate():
+    """A flat sheet with the labels 4 and -1 inside and outside of a disk."""
+    mesh = pyvista.Plane(i_resolution=60, j_resolution=60).triangulate()
+    mesh.point_data.clear()
+    labels = np.where(np.linalg.norm(mesh.cell_centers().points, axis=1) < 0.3, 4, -1)
+    return mesh, labels
+
+
+def area_of(mesh, labels, label):
+    return mesh.compute_cell_sizes()["Area"][labels == label].sum()
+
+
+def test_cell_data_tell_regions():
+    mesh, labels = plate()
+    wanted = area_of(mesh, labels, 4)
+    mesh.cell_data["CellEntityIds"] = labels.astype(float)
+    mesh.cell_data["patch"] = labels
+    for regions in (None, "patch", labels):
+        result = mesh.gpremesh.remesh(300, regions=regions)
+        assert area_of(result, result.cell_data["CellEntityIds"], 4) == pytest.approx(wanted, rel=2e-3)
+        assert np.array_equal(result.cell_data["CellEntityIds"], result.cell_data["patch"])
+        assert ("region" in result.cell_data) == (regions is labels)
+    assert np.array_equal(result.cell_data["region"], result.cell_data["patch"])
+    without = plate()[0].gpremesh.remesh(300)
+    assert np.array_equal(mesh.gpremesh.remesh(300, regions="off").points, without.points)
+    assert not np.array_equal(result.points, without.points)
+    with pytest.raises(ValueError, match="no such values"):
+        mesh.gpremesh.remesh(300, regions="path")
+    mesh.cell_data["patch"] = labels + 0.5
+    with pytest.raises(ValueError, match="whole numbers"):
+        mesh.gpremesh.remesh(300, regions="patch")
+
+
+def test_cell_data_of_two_names_are_combined():
+    mesh, labels = plate()
+    mesh.cell_data["region"] = labels
+    mesh.cell_data["material"] = (mesh.cell_centers().points[:, 0] > 0).astype(np.uint8)
+    result = mesh.gpremesh.remesh(400)
+    both = {pair: ((result.cell_data["region"] == pair[0]) & (result.cell_data["material"] == pair[1]))
+            for pair in ((4, 0), (4, 1), (-1, 0), (-1, 1))}
+    for (label, material), where in both.items():
+        here = (labels == label) & (mesh.cell_data["material"] == material)
+        assert area_of(result, where, True) == pytest.approx(area_of(mesh, here, True), rel=3e-3)
+
+
 def test_polygons_lines_and_strips():
     points, quads = sheet()
     faces = np.column_stack([np.full(len(quads), 4), quads]).reshape(-1)

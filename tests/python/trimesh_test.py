@@ -53,6 +53,41 @@ def test_colours_of_faces():
     assert np.abs(difference).max() < 15
 
 
+def plate():
+    """A flat sheet with the labels 4 and 2 inside and outside of a disk."""
+    i, j = np.meshgrid(np.arange(61), np.arange(61), indexing="ij")
+    vertices = np.stack([i / 60 - 0.5, j / 60 - 0.5, 0 * i], axis=-1).reshape(-1, 3)
+    first = (np.arange(60)[:, None] * 61 + np.arange(60)).reshape(-1, 1)
+    faces = np.concatenate([first + [0, 61, 62], first + [0, 62, 1]])
+    labels = np.where(np.linalg.norm(vertices[faces].mean(axis=1), axis=1) < 0.3, 4, 2)
+    return vertices, faces, labels
+
+
+def test_attributes_of_faces_tell_regions():
+    vertices, faces, labels = plate()
+    for regions in (None, "label", labels, "off"):
+        mesh = trimesh.Trimesh(vertices, faces, process=False, face_attributes={"label": labels})
+        wanted = mesh.area_faces[labels == 4].sum()
+        result = gpremesh.trimesh.remesh(mesh, 300, regions=regions)
+        off = abs(result.area_faces[result.face_attributes["label"] == 4].sum() / wanted - 1)
+        assert off > 3e-3 if isinstance(regions, str) and regions == "off" else off < 2e-3
+        if regions is labels:
+            assert np.array_equal(result.face_attributes["region"], result.face_attributes["label"])
+
+
+def test_materials_tell_regions():
+    vertices, faces, labels = plate()
+    materials = [trimesh.visual.material.SimpleMaterial(diffuse=[40 * k, 0, 0, 255]) for k in range(5)]
+    visual = trimesh.visual.TextureVisuals(
+        uv=vertices[:, :2], face_materials=labels, material=trimesh.visual.material.MultiMaterial(materials))
+    mesh = trimesh.Trimesh(vertices, faces, process=False, visual=visual)
+    result = gpremesh.trimesh.remesh(mesh, 300)
+    inside = result.visual.face_materials == 4
+    assert set(result.visual.face_materials) == {2, 4}
+    assert result.area_faces[inside].sum() == pytest.approx(mesh.area_faces[labels == 4].sum(), rel=2e-3)
+    assert len(result.visual.material.materials) == 5
+
+
 def test_texture():
     image = pytest.importorskip("PIL.Image").new("RGB", (4, 4))
     # A tube that was cut open along a seam, whose vertices are there twice.

@@ -229,7 +229,7 @@ TEST(CrowdedLines, AreReleasedSoThatNoAngleIsPoor)
 	EXPECT_TRUE(isSoundSurface(r.mesh));
 	EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
 	ASSERT_FALSE(r.notes.empty());
-	EXPECT_NE(r.notes.back().find("Feature lines are so close"), std::string::npos);
+	EXPECT_NE(r.notes.back().find("feature lines are too close"), std::string::npos);
 }
 
 /// Without a release a tenth of the faces has poor angles. So this also shows what it is good for.

@@ -252,8 +252,7 @@ TEST(Plan, NamesTheTwoEvenNumbersBesideAnOddOneOfAClosedSurface)
 	const PlannedRun run = PlannedRun(faces(1001)).go();
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->status, Status::BadOptions);
-	EXPECT_TRUE(
-		run.says("1001 faces; the nearest possible numbers that were found are 1000 and 1002"));
+	EXPECT_TRUE(run.says("1001 faces; the nearest possible numbers found are 1000 and 1002"));
 
 	RemeshOptions nearest = faces(1001);
 	nearest.allowNearest  = true;
@@ -271,7 +270,7 @@ TEST(Plan, NamesTwoNumbersOfFacesThatWereMadeWhereOneIsTooSmall)
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
 	EXPECT_EQ(run.failure->smallestVertexNum, 9);
-	EXPECT_TRUE(run.says("numbers that were found are 14 and 16 (9 and 10 vertices)"));
+	EXPECT_TRUE(run.says("numbers found are 14 and 16 (9 and 10 vertices)"));
 }
 
 // Vertices to be kept.
@@ -293,7 +292,7 @@ TEST(Plan, RaisesTheCountForABorderThatIsKeptWhereItIsAWish)
 	run.keptNum = 100;
 	run.go();
 	EXPECT_EQ(run.decisions().vertexNum, 180) << "the border, half as many, and those asked for";
-	EXPECT_TRUE(run.says("180 vertices were aimed at instead of 30"));
+	EXPECT_TRUE(run.says("raised from 30 to 180 vertices"));
 	EXPECT_EQ(run.numOf(Step::Input), 2) << "edges are split for another radius";
 }
 
@@ -394,7 +393,7 @@ TEST(Plan, LooksForAreasWhereNoCountIsPromised)
 		return d.vertexNum < 13 ? withoutAreas(d.vertexNum - 1) : reached(d.vertexNum - 1);
 	});
 	EXPECT_TRUE(run.isTaken());
-	EXPECT_TRUE(run.says("some triangles would have no area"));
+	EXPECT_TRUE(run.says("some triangles would be degenerate"));
 }
 
 TEST(Plan, GivesUpFeatureLinesThatDoHarm)
@@ -494,7 +493,7 @@ TEST(Plan, TakesTheNearestWithKeptVerticesOrRefuses)
 	const PlannedRun refused = runWith(options, mesh, 40);
 	ASSERT_TRUE(refused.failure);
 	EXPECT_EQ(refused.failure->smallestVertexNum, 55);
-	EXPECT_TRUE(refused.says("the 40 to be kept"));
+	EXPECT_TRUE(refused.says("the 40 vertices to be kept"));
 	const auto       flat  = [](const Decisions&) { return withoutAreas(50); };
 	const PlannedRun other = runWith(options, flat, 40);
 	EXPECT_EQ(other.attempts.size(), 1u) << "no other count is looked for";
@@ -594,6 +593,59 @@ TEST(Plan, RefusesACountThatHasContacts)
 	EXPECT_EQ(run.numOf(Step::Region), 1) << "among many vertices the count named is not tried";
 }
 
+namespace {
+
+/// Sheets that meet in junctions intersect below a count.
+PlannedRun runWithSheets(const RemeshOptions& options, std::int64_t least)
+{
+	PlannedRun run(options);
+	run.contacts = [least](const Decisions& d) {
+		return ContactFacts{d.vertexNum, d.vertexNum, d.vertexNum < least, 2 * (d.vertexNum - 2)};
+	};
+	run.go();
+	return run;
+}
+
+} // namespace
+
+TEST(Plan, TakesMoreVerticesForSheetsThatWouldIntersect)
+{
+	const PlannedRun run = runWithSheets(wish(500), 700);
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 625, 781}));
+	EXPECT_TRUE(run.says("With 500 vertices sheets that meet in junctions would intersect"));
+	EXPECT_EQ(run.told.size(), 1u);
+}
+
+TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
+{
+	const PlannedRun run = runWithSheets(wish(500), 1000000);
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.attempts.size(), 13u);
+	EXPECT_LE(run.attempts.back().vertexNum, 16 * 500);
+}
+
+/// Sheets at one place are kept apart by more and more vertices, which do not help.
+TEST(Plan, RaisesNoCountThatGrewByItself)
+{
+	PlannedRun run(wish(5));
+	run.contacts = [](const Decisions&) { return ContactFacts{3000, 3000, true, 5996}; };
+	run.go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.attempts.size(), 1u);
+}
+
+TEST(Plan, RefusesACountAtWhichSheetsIntersect)
+{
+	const PlannedRun byVertices = runWithSheets(order(500), 700);
+	ASSERT_TRUE(byVertices.failure);
+	EXPECT_TRUE(byVertices.says("or about 625 vertices, are needed"));
+	const PlannedRun byFaces = runWithSheets(faces(50000), 1000000);
+	ASSERT_TRUE(byFaces.failure);
+	EXPECT_TRUE(byFaces.says("With 50000 faces sheets"));
+	EXPECT_TRUE(byFaces.says("faces ("));
+}
+
 // Several meshes for one result.
 
 TEST(Plan, NamesACountThatCanBeHad)
@@ -610,7 +662,7 @@ TEST(Plan, NamesACountThatCanBeHad)
 	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
 	EXPECT_EQ(run.failure->smallestVertexNum, 23);
 	EXPECT_TRUE(run.says("cannot be meshed with 8 vertices"));
-	EXPECT_TRUE(run.says("that was found is 23"));
+	EXPECT_TRUE(run.says("found without self-intersections is 23"));
 }
 
 TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)
@@ -697,7 +749,7 @@ TEST(Plan, TriesTheCountOfTheForecastFirst)
 	ErrorRun            run(options, 1);
 	run.go([](std::int64_t) { return 0.98; });
 	EXPECT_EQ(run.tried.front(), 1000);
-	EXPECT_NE(run.plan.outcomeForError().find("This is proven."), std::string::npos);
+	EXPECT_NE(run.plan.outcomeForError().find("is proven to be"), std::string::npos);
 }
 
 TEST(Plan, TriesOtherCountsUntilTheErrorIsMet)

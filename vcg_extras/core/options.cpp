@@ -56,8 +56,9 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	}
 	if (!isWithin(o.minEdge, 0, 1e300) || !isWithin(o.maxEdge, 0, 1e300))
 		complaints.push_back("The least and the largest edge must be finite numbers, 0 or above.");
-	if (o.maxEdge > 0 && o.minEdge > o.maxEdge)
-		complaints.push_back("The least edge must not be longer than the largest one.");
+	const bool haveSameUnit = o.minEdgeIsPercent == o.maxEdgeIsPercent;
+	if (haveSameUnit && o.maxEdge > 0 && o.minEdge > o.maxEdge)
+		complaints.push_back("The least edge must not be longer than the largest edge.");
 	if (!isWithin(o.growth, 1.05, 2))
 		complaints.push_back("The growth must be between 1.05 and 2.");
 	if (o.adapt && !isWithin(*o.adapt, 0, 1)) {
@@ -81,7 +82,8 @@ void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 		complaints.push_back("The strong feature angle must be above 0 and at most 180 degrees.");
 	}
 	if (!(t.weakDeg > 0 && t.weakDeg <= t.strongDeg)) {
-		complaints.push_back("The weak feature angle must be above 0 and at most the strong one.");
+		complaints.push_back(
+			"The weak feature angle must be above 0 and at most the strong feature angle.");
 	}
 	if (!isWithin(t.minLength, 0, 1e6)) {
 		complaints.push_back("The least feature length must be between 0 and 1000000 supports.");
@@ -97,7 +99,7 @@ void checkPeriod(const RemeshOptions& o, std::vector<std::string>& complaints)
 	}
 	const bool isOther = o.boundary != BoundaryMode::Resample && o.boundary != BoundaryMode::Match;
 	if (isPeriodic(o) && (isOther || o.selectedOnly)) {
-		complaints.push_back("A periodic cell needs a border that matches, and the whole surface.");
+		complaints.push_back("A periodic cell needs matched borders and the whole surface.");
 	}
 }
 
@@ -169,13 +171,13 @@ std::vector<std::string> validate(const RemeshOptions& o)
 		complaints.push_back("The time limit must be between 0 and 1000000000 seconds.");
 	}
 	if (o.symmetry != Symmetry::Off && (o.selectedOnly || isPaper(o))) {
-		complaints.push_back("A symmetric result is not possible with the preset paper, nor of "
+		complaints.push_back("A symmetric result is not possible with the preset paper or for "
 							 "selected faces.");
 	}
 	const bool isMatched = o.boundary == BoundaryMode::Match || isPeriodic(o);
 	if (o.symmetry != Symmetry::Off && (isMatched || keepsJunctions(o))) {
 		complaints.push_back("A symmetric result is not possible with matched borders, a periodic "
-							 "cell or junctions that are kept.");
+							 "cell or kept junctions.");
 	}
 	if (o.threads < 0 || o.threads > 1024) {
 		complaints.push_back("The number of threads must be between 0 and 1024.");

@@ -93,14 +93,16 @@ struct FeatureThresholds {
 
 /// All options of a run. Plain data without working state.
 struct RemeshOptions {
-	TargetMode    targetMode        = TargetMode::Percent;
-	std::int64_t  targetVertexNum   = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
-	std::int64_t  targetFaceNum     = 0;     ///< faces, >= 1; used with TargetMode::FaceNum
-	double        targetPercent     = 10;    ///< percent of the input's vertices, > 0, <= 10000
-	double        targetEdgeLen     = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
-	double        targetMaxError    = 0;     ///< mesh units, > 0; used with TargetMode::MaxError
-	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
-	Detail        targetDetail      = Detail::None; ///< used with TargetMode::Detail
+	TargetMode   targetMode      = TargetMode::Percent;
+	std::int64_t targetVertexNum = 0;  ///< vertices, >= 1; used with TargetMode::VertexNum
+	std::int64_t targetFaceNum   = 0;  ///< faces, >= 1; used with TargetMode::FaceNum
+	double       targetPercent   = 10; ///< percent of the input's vertices, > 0, <= 10000
+	double       targetEdgeLen   = 0;  ///< mesh units, > 0; used with TargetMode::EdgeLength
+	double       targetMaxError  = 0;  ///< mesh units, > 0; used with TargetMode::MaxError
+	/// Lengths that are in percent of the diagonal instead of mesh units.
+	bool          edgeLenIsPercent = false, maxErrorIsPercent = false;
+	bool          minEdgeIsPercent = false, maxEdgeIsPercent = false;
+	Detail        targetDetail = Detail::None; ///< used with TargetMode::Detail
 	bool          allowNearest = false; ///< take the nearest reachable count instead of refusing
 	std::uint32_t seed         = 1;     ///< 0 = a fresh seed, which the report names
 	int           threads      = 0;     ///< 0 = a thread per core; never changes the result

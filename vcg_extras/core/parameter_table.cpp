@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace gpr {
 
@@ -21,6 +22,14 @@ std::int64_t countOf(const ParameterValue& v)
 double numberOf(const ParameterValue& v)
 {
 	return std::get<double>(v);
+}
+
+/// A length, and whether it is in percent of the diagonal.
+double lengthOf(const ParameterValue& v, bool& isPercent)
+{
+	const auto* percent = std::get_if<PercentOfDiagonal>(&v);
+	isPercent           = percent != nullptr;
+	return isPercent ? percent->value : numberOf(v);
 }
 
 bool switchOf(const ParameterValue& v)
@@ -104,6 +113,7 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
+	const bool isLength = kind == ParameterKind::Length;
 	return {{key,
 			 option,
 			 argument,
@@ -111,8 +121,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 			 label,
 			 help,
 			 "",
-			 "",
-			 "",
+			 isLength ? "With a percent sign (0.2%) the value is a share of the diagonal." : "",
+			 isLength ? "A text with a percent sign (\"0.2%\") is a share of the diagonal." : "",
 			 0,
 			 1,
 			 {},
@@ -120,7 +130,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 			 nullptr,
 			 tools,
 			 false,
-			 false}};
+			 false,
+			 everydayGroup}};
 }
 
 using Table = std::vector<Parameter>;
@@ -167,7 +178,9 @@ void addSize(Table& t)
 					"needs more vertices, the result has more.")
 					.inDialog("Above 0 it replaces the number of vertices.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.targetEdgeLen = lengthOf(v, o.edgeLenIsPercent);
+					})
 					.p);
 	t.push_back(
 		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
@@ -177,10 +190,10 @@ void addSize(Table& t)
 			"given. If a trial is too far from the input, vertices are added. An impossible "
 			"error is refused.")
 			.inDialog("Above 0 it replaces the number of vertices.")
-			.onCommandLine("With a percent sign (0.2%) the value is a share of the diagonal.")
-			.inPython("A text with a percent sign (\"0.2%\") is a share of the diagonal.")
 			.range(0, 1e300)
-			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
+			.store([](const Value& v, RemeshOptions& o) {
+				o.targetMaxError = lengthOf(v, o.maxErrorIsPercent);
+			})
 			.p);
 }
 
@@ -405,7 +418,9 @@ void addUnits(Table& t)
 	t.push_back(row(RemeshTool, "MinEdge", "--min-edge", "L", Kind::Length, "Least edge (0 = any)",
 					"The smallest local size, in mesh units.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.minEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.minEdge = lengthOf(v, o.minEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length,
 					"Largest edge (0 = any)",
@@ -414,7 +429,9 @@ void addUnits(Table& t)
 					"number of vertices. Single edges may be a fifth longer than their local "
 					"size.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.maxEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.maxEdge = lengthOf(v, o.maxEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",
 					"The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster "
@@ -530,6 +547,18 @@ void addPaperSteps(Table& t)
 			.p);
 }
 
+/// Adds rows for experts.
+void addGroup(Table& t, const char* group, std::initializer_list<void (*)(Table&)> rows)
+{
+	const std::size_t first = t.size();
+	for (void (*add)(Table&) : rows)
+		add(t);
+	for (std::size_t i = first; i < t.size(); ++i) {
+		t[i].isExpert = true;
+		t[i].group    = group;
+	}
+}
+
 } // namespace
 
 std::vector<Parameter> makeParameterTable()
@@ -543,17 +572,11 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureDisks(table);
 	addBoundary(table);
 	addSelected(table);
-	const std::size_t everydayNum = table.size();
-	addFeatureRegion(table);
-	addFeatureThresholds(table);
-	addCount(table);
-	addUnits(table);
-	addSymmetry(table);
-	addCleaning(table);
-	addRun(table);
-	addPaperSteps(table);
-	for (std::size_t i = everydayNum; i < table.size(); ++i)
-		table[i].isExpert = true;
+	addGroup(table, "Feature region and feature lines", {addFeatureRegion, addFeatureThresholds});
+	addGroup(table, "Number of vertices and local size", {addCount, addUnits});
+	addGroup(table, "Input mesh", {addSymmetry, addCleaning});
+	addGroup(table, "Run", {addRun});
+	addGroup(table, "Preset paper", {addPaperSteps});
 	return table;
 }
 

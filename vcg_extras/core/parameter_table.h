@@ -16,7 +16,7 @@ namespace gpr {
 enum class ParameterKind {
 	Count,  ///< whole number (RichInt)
 	Number, ///< real number (RichFloat)
-	Length, ///< mesh units, shown with percent of the diagonal (RichAbsPerc)
+	Length, ///< mesh units or PercentOfDiagonal (RichAbsPerc)
 	Switch, ///< on/off (RichBool)
 	Choice, ///< one of `choices` (RichEnum); the value is its index
 };
@@ -27,11 +27,21 @@ struct Automatic {
 	bool operator!=(Automatic) const { return false; }
 };
 
+/// A length in percent of the diagonal of the mesh.
+struct PercentOfDiagonal {
+	double value = 0;
+	bool   operator==(PercentOfDiagonal o) const { return value == o.value; }
+	bool   operator!=(PercentOfDiagonal o) const { return value != o.value; }
+};
+
 /// The name of Automatic in texts.
 constexpr const char* automaticName = "auto";
 
+/// The group of the parameters that everybody sees.
+constexpr const char* everydayGroup = "Options";
+
 /// A value; std::int64_t for a Choice.
-using ParameterValue = std::variant<std::int64_t, double, bool, Automatic>;
+using ParameterValue = std::variant<std::int64_t, double, bool, Automatic, PercentOfDiagonal>;
 
 /// The facts of the input from which defaults are computed.
 struct MeshFacts {
@@ -66,9 +76,10 @@ struct Parameter {
 	ParameterValue (*defaultValue)(const MeshFacts&);
 	/// Writes a value to the options; null in rows that belong to a single host.
 	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned tools;       ///< the Tool bits that offer the parameter
-	bool     isExpert;    ///< shown on demand only in dialogs with many parameters
-	bool     isAutomatic; ///< a Number that is Automatic by default
+	unsigned    tools;       ///< the Tool bits that offer the parameter
+	bool        isExpert;    ///< any other group than everydayGroup: shown on demand only
+	bool        isAutomatic; ///< a Number that is Automatic by default
+	const char* group;       ///< the heading above the parameter in --help-all
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.

@@ -24,6 +24,13 @@ namespace gpr {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+	return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// The failure of the exception being handled, by its type.
 Failure failureAtHand()
 {
@@ -74,13 +81,12 @@ Result failed(const Failure& failure, Result&& soFar)
 template <class Result, class Body, class... Arguments>
 Result guarded(const Body& body, const Arguments&... arguments)
 {
-	using Clock      = std::chrono::steady_clock;
 	const auto start = Clock::now();
 	Result     result;
 	try {
 		body(arguments..., result);
 		result.status               = Status::Ok;
-		result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+		result.report.remeshSeconds = secondsSince(start);
 	}
 	catch (...) {
 		result = failed(failureAtHand(), std::move(result));
@@ -133,16 +139,20 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	if (call.input.wantedEdge != nullptr) {
 		throw Failure(
 			Status::BadOptions,
-			"Wanted edge lengths cannot be kept beside matched borders, which have one length.");
+			"Wanted edge lengths are not possible with matched borders, whose edges have one "
+			"length.");
 	}
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0) || !validate(call.options).empty())
 		return remeshInput(call, out); // refuses the options
+	const auto          start = Clock::now();
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
 	inside.period               = {};
+	if (inside.timeLimitSeconds > 0)
+		inside.timeLimitSeconds = std::max(1e-3, inside.timeLimitSeconds - secondsSince(start));
 	if (inside.targetMode == TargetMode::Percent) // percent of the input's vertices
 		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
 	MeshView view    = matched.view();
@@ -166,8 +176,8 @@ MeshCall callFor(const RemeshOptions& options)
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
-	const Call call{input, options, progress};
-	return guarded<RemeshResult>(callFor(options), call);
+	const RemeshOptions inUnits = inMeshUnits(input, options);
+	return guarded<RemeshResult>(callFor(options), Call{input, inUnits, progress});
 }
 
 struct PreparedSurface::Kept {
@@ -180,7 +190,8 @@ struct PreparedSurface::Kept {
 					  const StopRequest* stop, MeshCall run)
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
-		const Call                        whole{input, options, progress, stop, &ofRuns};
+		const RemeshOptions               inUnits = inMeshUnits(input, options);
+		const Call                        whole{input, inUnits, progress, stop, &ofRuns};
 		if (!options.selectedOnly || options.symmetry != Symmetry::Off)
 			return guarded<RemeshResult>(run == remeshInput ? callFor(options) : run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
@@ -226,7 +237,8 @@ const MeshView& PreparedSurface::input() const
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
 								  const ProgressCallback& progress)
 {
-	return guarded<SamplingResult>(sampleInput, Call{input, options, progress});
+	const RemeshOptions inUnits = inMeshUnits(input, options);
+	return guarded<SamplingResult>(sampleInput, Call{input, inUnits, progress});
 }
 
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,

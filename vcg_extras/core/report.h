@@ -184,34 +184,37 @@ struct RemeshReport {
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 
-	std::uint32_t seed                    = 0;
-	double        adapt                   = 0; ///< adaptivity in force; 0 with even sizes
-	int           threads                 = 0;
-	std::int64_t  targetVertexNum         = 0; ///< the count that percent or edge length resolve to
-	double        diskRadius              = 0; ///< r, mesh units
-	double        radiusConstant          = 0; ///< c of eq. (1)
-	double        radiusConstantForTarget = 0; ///< without the exact count: c for the target
-	std::int64_t  curvatureClampedNum     = 0; ///< vertices at which 1 + λH fell below 0.1
-	std::int64_t  sampleNum               = 0; ///< samples placed by the front sampling
-	std::int64_t  boundarySampleNum       = 0;
-	std::int64_t  featureEdgeNum          = 0; ///< edges of the input on feature lines
-	std::int64_t  featureConeApexNum      = 0; ///< cone apexes
-	std::int64_t  releasedVertexNum       = 0; ///< vertices of the result that left crowded lines
-	std::int64_t  regionVertexNum         = 0; ///< input vertices in the feature region
-	std::int64_t  keptVertexNum           = 0; ///< vertices that had to stay, and stayed
-	std::int64_t  untouchedFaceNum        = 0; ///< selectedOnly: faces outside the selection
-	std::int64_t  leftoverVertexNum       = 0; ///< input vertices that could not be removed
-	std::int64_t  splitNum                = 0; ///< splits for the exact count
-	std::int64_t  collapseNum             = 0;
-	std::int64_t  flipNum                 = 0;
-	std::int64_t  samplesMoved            = 0;     ///< retriangulate: samples off the surface
-	double        largestSampleMove       = 0;     ///< mesh units
-	double        largestFitDistance      = 0;     ///< from surface point to vertex, mesh units
-	double        errorGoal               = 0;     ///< the error bound, mesh units; 0: none
-	bool          isDistanceProven        = false; ///< with RemeshOptions::check, or an error bound
-	MutualBounds  provenDistance;                  ///< between cleaned input and result
-	int           errorTrialNum = 0;               ///< counts tried for the error bound
-	std::vector<std::string> capsReached;          ///< a phrase for each cap that was reached
+	std::uint32_t seed            = 0;
+	double        adapt           = 0; ///< adaptivity in force; 0 with even sizes
+	int           threads         = 0;
+	std::int64_t  targetVertexNum = 0; ///< the count that percent or edge length resolve to
+	/// If many triangles are irregular: the number of vertices with which about 95 % of the faces
+	/// have no angle below 30 degrees, by a forecast. 0: not needed, or not known.
+	std::int64_t regularVertexNum        = 0;
+	double       diskRadius              = 0; ///< r, mesh units
+	double       radiusConstant          = 0; ///< c of eq. (1)
+	double       radiusConstantForTarget = 0; ///< without the exact count: c for the target
+	std::int64_t curvatureClampedNum     = 0; ///< vertices at which 1 + λH fell below 0.1
+	std::int64_t sampleNum               = 0; ///< samples placed by the front sampling
+	std::int64_t boundarySampleNum       = 0;
+	std::int64_t featureEdgeNum          = 0; ///< edges of the input on feature lines
+	std::int64_t featureConeApexNum      = 0; ///< cone apexes
+	std::int64_t releasedVertexNum       = 0; ///< vertices of the result that left crowded lines
+	std::int64_t regionVertexNum         = 0; ///< input vertices in the feature region
+	std::int64_t keptVertexNum           = 0; ///< vertices that had to stay, and stayed
+	std::int64_t untouchedFaceNum        = 0; ///< selectedOnly: faces outside the selection
+	std::int64_t leftoverVertexNum       = 0; ///< input vertices that could not be removed
+	std::int64_t splitNum                = 0; ///< splits for the exact count
+	std::int64_t collapseNum             = 0;
+	std::int64_t flipNum                 = 0;
+	std::int64_t samplesMoved            = 0;     ///< retriangulate: samples off the surface
+	double       largestSampleMove       = 0;     ///< mesh units
+	double       largestFitDistance      = 0;     ///< from surface point to vertex, mesh units
+	double       errorGoal               = 0;     ///< the error bound, mesh units; 0: none
+	bool         isDistanceProven        = false; ///< with RemeshOptions::check, or an error bound
+	MutualBounds provenDistance;                  ///< between cleaned input and result
+	int          errorTrialNum = 0;               ///< counts tried for the error bound
+	std::vector<std::string> capsReached;         ///< a phrase for each cap that was reached
 };
 
 } // namespace gpr

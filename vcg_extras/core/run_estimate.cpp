@@ -51,13 +51,12 @@ double shareOfSelected(const MeshView& input, const RemeshOptions& o)
 
 double vertexNumOf(const MeshView& input, const RemeshOptions& o)
 {
-	const bool isByError = o.targetMode == TargetMode::MaxError;
-	const bool isCount   = o.targetMode == TargetMode::VertexNum ||
+	const bool isCount = o.targetMode == TargetMode::VertexNum ||
 						 o.targetMode == TargetMode::FaceNum || o.targetMode == TargetMode::Percent;
 	if (isCount) return wantedVertexNum(std::int64_t(input.vertexNum), o, 0, 1);
 	const MeshExtent extent = extentOf(input);
-	const double     unit   = isByError && o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
-	const double     n      = wantedVertexNum(std::int64_t(input.vertexNum), o, extent.area, unit);
+	const double     n =
+		wantedVertexNum(std::int64_t(input.vertexNum), inMeshUnits(input, o), extent.area, 1);
 	return std::isfinite(n) ? n : 0; // mesh or length of size 0
 }
 

@@ -7,12 +7,14 @@
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/glb_reader.h>
 #include <vcg_extras/io/formats/glb_writer.h>
+#include <vcg_extras/io/formats/gltf_text.h>
 #include <vcg_extras/io/formats/obj_attributes.h>
 #include <vcg_extras/io/formats/ply_attributes.h>
 #include <vcg_extras/io/formats/ply_reader.h>
 #include <vcg_extras/io/formats/ply_writer.h>
 #include <vcg_extras/io/formats/soup_reader.h>
 #include <vcg_extras/io/formats/soup_writer.h>
+#include <vcg_extras/io/formats/three_mf.h>
 #include <vcg_extras/io/text/text_lines.h>
 
 #include <filesystem>
@@ -22,8 +24,8 @@ namespace gpr::app {
 
 namespace {
 
-InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAttributes& wanted,
-					 bool& holdsMore)
+InputMesh readFormat(MeshFormat format, std::string_view content, const std::string& path,
+					 const WantedAttributes& wanted, bool& holdsMore)
 {
 	switch (format) {
 	case MeshFormat::Ply:
@@ -36,6 +38,12 @@ InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAt
 		return readStl(content);
 	case MeshFormat::Glb:
 		return readGlb(content, wanted);
+	case MeshFormat::Gltf: {
+		const std::string folder = std::filesystem::absolute(path).parent_path().string();
+		return readGlb(glbOfGltf(content, folder), wanted);
+	}
+	case MeshFormat::ThreeMf:
+		return readThreeMf(content);
 	}
 	return {};
 }
@@ -45,7 +53,7 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 	const auto content = std::make_shared<const FileContent>(path);
 	if (content->view().empty()) failInput("the file is empty");
 	bool      holdsMore = false;
-	InputMesh mesh      = readFormat(format, content->view(), wanted, holdsMore);
+	InputMesh mesh      = readFormat(format, content->view(), path, wanted, holdsMore);
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
 	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
 		readObjAttributes(content->view(), mesh);
@@ -72,6 +80,17 @@ WantedAttributes neededBy(const RemeshOptions& options)
 	return wanted;
 }
 
+namespace {
+
+void requireLibrary(bool isThere, const std::string& path, const std::string& library)
+{
+	if (isThere) return;
+	throw AppError(ExitCode::Usage, "'" + path + "' needs the library " + library +
+										", which this build of gpremesh was made without.");
+}
+
+} // namespace
+
 MeshFormat formatOfPath(const std::string& path)
 {
 	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
@@ -80,8 +99,24 @@ MeshFormat formatOfPath(const std::string& path)
 	if (extension == ".off") return MeshFormat::Off;
 	if (extension == ".stl") return MeshFormat::Stl;
 	if (extension == ".glb") return MeshFormat::Glb;
+	if (extension == ".gltf") {
+		requireLibrary(hasGltfText(), path, "TinyGLTF (Debian: libtinygltf-dev)");
+		return MeshFormat::Gltf;
+	}
+	if (extension == ".3mf") {
+		requireLibrary(hasThreeMf(), path, "lib3mf (Debian: lib3mf-dev)");
+		return MeshFormat::ThreeMf;
+	}
 	throw AppError(ExitCode::Usage,
-				   "'" + path + "' has none of the extensions .ply, .obj, .off, .stl and .glb.");
+				   "'" + path + "' has none of the extensions " + formatNames() + ".");
+}
+
+std::string formatNames()
+{
+	std::string names = ".ply, .obj, .off, .stl";
+	if (hasGltfText()) names += ", .gltf";
+	if (hasThreeMf()) names += ", .3mf";
+	return names + " and .glb";
 }
 
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
@@ -126,9 +161,11 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 {
 	const MeshFormat format = formatOfPath(path);
 	OutputFile       out(path, limit);
-	if (format == MeshFormat::Off && attributes.any())
+	const bool       isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
+	const bool       holdsPlain = format == MeshFormat::Off || format == MeshFormat::ThreeMf;
+	if (holdsPlain && attributes.any())
 		attributes.lost.push_back("any attribute, which this format does not hold");
-	else if (attributes.gltf != nullptr && format != MeshFormat::Glb)
+	else if (attributes.gltf != nullptr && !isGltf)
 		attributes.lost.push_back("images and properties of materials");
 	switch (format) {
 	case MeshFormat::Ply:
@@ -146,6 +183,12 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		break;
 	case MeshFormat::Glb:
 		writeGlb(mesh, attributes, out, attributes.lost);
+		break;
+	case MeshFormat::Gltf:
+		writeGltf(mesh, attributes, out, attributes.lost);
+		break;
+	case MeshFormat::ThreeMf:
+		writeThreeMf(mesh, out);
 		break;
 	}
 	out.commit();

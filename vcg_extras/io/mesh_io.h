@@ -11,10 +11,13 @@
 
 namespace gpr::app {
 
-enum class MeshFormat { Ply, Obj, Off, Stl, Glb };
+enum class MeshFormat { Ply, Obj, Off, Stl, Glb, Gltf, ThreeMf };
+
+/// The extensions that this build reads and writes, as a sentence lists them.
+std::string formatNames();
 
 /// The format of a file extension, in upper or lower case. Throws AppError (Usage) for other
-/// extensions.
+/// extensions, and for a format whose library this build lacks.
 MeshFormat formatOfPath(const std::string& path);
 
 /// The attributes without which a run with these options cannot be.

@@ -18,6 +18,7 @@ nb::dict remeshCommandTexts()
 		option["option"]   = row.option.c_str();
 		option["argument"] = row.argument.c_str();
 		option["help"]     = row.help.c_str();
+		option["group"]    = row.group.c_str();
 		options.append(option);
 	}
 	nb::dict texts;
@@ -25,6 +26,7 @@ nb::dict remeshCommandTexts()
 	texts["in"]          = app::inHelp;
 	texts["out"]         = app::outHelp;
 	texts["options"]     = options;
+	texts["everyday"]    = everydayGroup;
 	return texts;
 }
 

@@ -7,6 +7,8 @@
 #include "polygon_call.h"
 #include "remesh_call.h"
 
+#include <vcg_extras/io/mesh/face_regions.h>
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -70,6 +72,7 @@ NB_MODULE(_core, module)
 			   "progress"_a.none());
 	module.def("remesh_mesh_of_file", &remeshMeshOfFile, "vertices"_a, "faces"_a, "extras"_a,
 			   "attributes"_a, "parameters"_a, "progress"_a.none());
+	module.def("tells_regions", &gpr::app::tellsRegions, "name"_a);
 	module.def("read_mesh", &readMeshFile, "path"_a);
 	module.def("write_mesh", &writeMeshFile, "path"_a, "vertices"_a, "faces"_a, "attributes"_a);
 	module.def("sample", &sampleArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,

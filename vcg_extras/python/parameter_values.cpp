@@ -83,6 +83,8 @@ ParameterValue parseCount(const Parameter& p, const std::string& name, nb::handl
 ParameterValue parseNumber(const Parameter& p, const std::string& name, nb::handle value)
 {
 	if (p.isAutomatic && textOf(value) == automaticName) return Automatic();
+	const std::optional<std::string> text = textOf(value);
+	if (const auto percent = text ? app::percentOf(p, *text) : std::nullopt) return *percent;
 	const std::optional<double> number = numberOf(value);
 	if (!number || !app::isInRange(p, *number))
 		failValue(name, app::numberKind(p) + app::rangeText(p), value);
@@ -123,19 +125,6 @@ ParameterValue parseValue(const Parameter& p, const std::string& name, nb::handl
 	return parseChoice(p, name, value);
 }
 
-/// The number of an error bound in percent, given as "0.2%".
-std::optional<nb::object> percentOf(const Parameter& p, nb::handle value)
-{
-	std::optional<std::string> text = textOf(value);
-	if (std::string(p.key) != "MaxError" || !text || text->empty() || text->back() != '%')
-		return std::nullopt;
-	text->pop_back();
-	nb::object number = nb::steal(PyFloat_FromString(nb::str(text->c_str()).ptr()));
-	if (!number) PyErr_Clear();
-	if (!number) return std::nullopt; // text is refused later
-	return number;
-}
-
 std::string sizeNames(Tool tool)
 {
 	std::string names;
@@ -167,6 +156,9 @@ nb::dict entryOf(const Parameter& p, Tool tool)
 	entry["kind"]    = app::kindName(p.kind);
 	entry["label"]   = p.label;
 	entry["help"]    = pythonHelp(p);
+	entry["about"]   = p.help;
+	entry["expert"]  = p.isExpert;
+	entry["is_size"] = isSizeParameter(p);
 	entry["minimum"] = p.minimum;
 	entry["maximum"] = p.maximum;
 	entry["choices"] = choices;
@@ -207,23 +199,18 @@ bool givesSize(Tool tool, const nb::dict& given)
 RemeshOptions optionsOf(Tool tool, const nb::dict& given)
 {
 	ParameterSet set;
-	int          sizeNum   = 0;
-	bool         isPercent = false;
+	int          sizeNum = 0;
 	for (const auto& [key, value] : given) {
 		const std::string      name = nb::cast<std::string>(nb::str(key));
 		const Parameter* const row  = findArgument(tool, name);
 		if (row == nullptr) throw nb::value_error(("There is no parameter " + name + ".").c_str());
-		const std::optional<nb::object> percent = percentOf(*row, value);
-		isPercent                               = isPercent || percent.has_value();
 		sizeNum += choosesSize(*row, value) ? 1 : 0;
-		set.set(*row, parseValue(*row, name, percent ? nb::handle(*percent) : nb::handle(value)));
+		set.set(*row, parseValue(*row, name, value));
 	}
 	if (sizeNum > 1) throw nb::value_error(("Give only one of " + sizeNames(tool) + ".").c_str());
 	const std::vector<std::string> complaints = set.complaints();
 	if (!complaints.empty()) throw nb::value_error(complaints.front().c_str());
-	RemeshOptions options     = set.options();
-	options.maxErrorIsPercent = isPercent;
-	return options;
+	return set.options();
 }
 
 } // namespace gpr::python

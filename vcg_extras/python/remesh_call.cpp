@@ -128,9 +128,8 @@ app::RunRecord recordOf(const Mesh& mesh, const RemeshOptions& options, const Re
 	run.report = result.report;
 	run.notes  = result.notes;
 	if (!mesh.view.doublePrecision && result.status == Status::Ok && isCoarse(result)) {
-		run.notes.push_back(
-			"The coordinates are rounded to float32, which is coarse beside edges so "
-			"short; float64 would keep them.");
+		run.notes.push_back("The coordinates are rounded to float32, which is coarse for edges so "
+							"short; float64 would be exact.");
 	}
 	run.peakMemoryBytes = app::peakMemoryBytes();
 	return run;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What worker.js calls: one function that takes and gives JSON.
+// The interface of worker.js: a function with JSON as argument and result.
 #include "session.h"
 
 #include <vcg_extras/core/parameters.h>

@@ -58,7 +58,7 @@ export class Engine {
 	#worker = null;
 	#waiting = new Map();
 	#lastId = 0;
-	/** What the thread had of memory with its last answer, bytes. */
+	/** Memory of the thread with its last answer, bytes. */
 	memory = 0;
 
 	/** Calls the engine. Calls are answered in sequence.

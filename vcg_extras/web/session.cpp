@@ -122,7 +122,7 @@ void Session::refuseWhatIsTooLarge(const RemeshOptions& options) const
 	if (needed <= left) return;
 	throw AppError(ExitCode::Failure, "this takes about " + gigabytes(needed) +
 										  " of memory, and the browser has " + gigabytes(left) +
-										  " left for it. The program has no such limit.");
+										  " left. The program has no such limit.");
 }
 
 Json Session::estimate(const std::string& text)

@@ -18,7 +18,7 @@ if (isNode) {
 
 let current = null; // the number of the present message
 let loaded = null;
-let shared = null; // the memory, where threads share it
+let shared = null; // the memory of modules with threads
 
 // The memory of the module: another thread may have made it larger.
 const heapOf = (module) => shared === null ? module.HEAPU8 : new Uint8Array(shared.buffer);
@@ -30,7 +30,7 @@ function load(compiled, threadNum) {
 	return makeGpremesh({
 		...(shared === null ? {} : { wasmMemory: shared }),
 		threadNum,
-		mainScriptUrlOrBlob: loader, // what further threads load
+		mainScriptUrlOrBlob: loader, // for further threads
 		instantiateWasm(imports, receive) {
 			WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled));
 			return {};

@@ -108,6 +108,118 @@ class Extension(unittest.TestCase):
         self.assertGreater(height[high].min(), -0.01)
         self.assertLess(height[~high].max(), 0.01)
 
+    def grid(self):
+        """A flat square from -1 to 1 without a texture: no line but its border."""
+        bpy.ops.mesh.primitive_grid_add(x_subdivisions=60, y_subdivisions=60, size=2, calc_uvs=False)
+        return bpy.context.object
+
+    def disk(self, thing, name):
+        """Labels -3 and 7 on the faces of a disk and around it."""
+        mesh = thing.data
+        inside = np.linalg.norm(read(mesh.polygons, "center", 3), axis=1) < 0.6
+        mesh.attributes.new(name, "INT", "FACE").data.foreach_set("value", np.where(inside, -3, 7).astype(np.int32))
+
+    def area_of(self, mesh, name, label):
+        areas = read(mesh.polygons, "area", 1)
+        return areas[read(mesh.attributes[name].data, "value", 1, np.int32) == label].sum()
+
+    def test_an_attribute_of_faces_tells_regions(self):
+        places = {}
+        for regions, is_labelled in (("patch", True), ("", True), ("material_index", False)):
+            thing = self.grid()
+            if is_labelled:
+                self.disk(thing, "patch")
+                wanted = self.area_of(thing.data, "patch", -3)
+            self.remesh(size="COUNT", vertex_count=300, regions=regions)
+            mesh = thing.data
+            places[regions] = read(mesh.vertices, "co", 3)
+            if regions == "patch":
+                self.assertEqual(set(read(mesh.attributes["patch"].data, "value", 1, np.int32)), {-3, 7})
+                self.assertAlmostEqual(self.area_of(mesh, "patch", -3) / wanted, 1, delta=0.002)
+        self.assertTrue(np.array_equal(places[""], places["material_index"]))
+        self.assertFalse(np.array_equal(places["patch"], places[""]))
+
+    def test_sizes_of_an_attribute_and_of_a_group(self):
+        for kind in ("attribute", "group", "exact"):
+            thing = self.grid()
+            places = read(thing.data.vertices, "co", 3)
+            right = (places[:, 0] > 0).astype(np.float32)
+            if kind == "group":
+                thing.vertex_groups.new(name="wanted").add([int(v) for v in np.flatnonzero(right)], 1, "REPLACE")
+            else:
+                lengths = (0.12 - 0.06 * right).astype(np.float32)
+                thing.data.attributes.new("wanted", "FLOAT", "POINT").data.foreach_set("value", lengths)
+            size = {"size": "SIZES"} if kind == "exact" else {"size": "COUNT", "vertex_count": 700}
+            self.remesh(sizes="wanted", finest=0.5, **size)
+            mesh = thing.data
+            if kind != "exact":
+                self.assertEqual(len(mesh.vertices), 700)
+            ends = read(mesh.vertices, "co", 3)[read(mesh.edges, "vertices", 2, np.int32)]
+            lengths, middle = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1), ends[:, :, 0].mean(axis=1)
+            fine, coarse = lengths[middle > 0.3].mean(), lengths[middle < -0.5].mean()
+            self.assertAlmostEqual(fine / coarse, 0.5, delta=0.06, msg=kind)
+            if kind == "exact":
+                self.assertAlmostEqual(fine, 0.06, delta=0.005)
+
+    def test_a_periodic_cell(self):
+        thing = self.grid()
+        self.remesh(size="COUNT", vertex_count=200, periodic=(2, 0, 0))
+        places = read(thing.data.vertices, "co", 3)
+        left, right = (np.sort(places[places[:, 0] == x][:, 1]) for x in (-1, 1))
+        self.assertGreater(len(left), 5)
+        self.assertTrue(np.array_equal(left, right))
+
+    def test_junctions_stay(self):
+        self.grid()
+        self.grid().rotation_euler = (0, np.pi / 2, 0)
+        bpy.ops.object.select_all(action="SELECT")
+        bpy.ops.object.join()
+        thing = bpy.context.object
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.mesh.remove_doubles(threshold=1e-5)
+        bpy.ops.object.mode_set(mode="OBJECT")
+        self.remesh(size="COUNT", vertex_count=600, junctions="keep")
+        mesh = thing.data
+        self.assertEqual(len(mesh.vertices), 600)
+        edges = np.sort(read(mesh.loops, "vertex_index", 1, np.int32).reshape(-1, 3)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2))
+        self.assertGreater((np.unique(edges, axis=0, return_counts=True)[1] == 4).sum(), 8)
+
+    def test_edges_marked_sharp(self):
+        thing = self.grid()
+        mesh = thing.data
+        places = read(mesh.vertices, "co", 3)
+        ends = read(mesh.edges, "vertices", 2, np.int32)
+        on_line = (np.abs(places[ends][:, :, 0]) < 1e-5).all(axis=1)
+        with self.assertRaisesRegex(RuntimeError, "marked sharp"):
+            self.remesh(size="COUNT", vertex_count=300, features="selected")
+        mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE").data.foreach_set("value", on_line)
+        self.remesh(size="COUNT", vertex_count=300, features="selected")
+        of_faces = read(mesh.vertices, "co", 3)[read(mesh.loops, "vertex_index", 1, np.int32)].reshape(-1, 3, 3)[..., 0]
+        self.assertFalse(((of_faces.min(axis=1) < -1e-4) & (of_faces.max(axis=1) > 1e-4)).any())
+
+    def test_fields_are_the_rows_of_the_engine(self):
+        import gpremesh._core
+        fields = bpy.ops.object.gpremesh.get_rna_type().properties
+        for entry in gpremesh._core.parameters("remesh"):
+            self.assertIn(entry["name"], fields.keys())
+        self.assertEqual({item.identifier for item in fields["boundary"].enum_items},
+                         {"resample", "keep", "free", "smooth", "match"})
+        thing = self.sphere()
+        self.remesh(size="DETAIL", detail="coarse", symmetry="z")
+        places = read(thing.data.vertices, "co", 3)
+        mirrored = places * np.array([1, 1, -1], np.float32)
+        self.assertLess(max(np.abs(places - p).max(axis=1).min() for p in mirrored), 1e-6)
+        self.assertLess(len(places), 100)
+
+    def test_names_that_are_not_there(self):
+        self.grid()
+        for names in ({"regions": "patch"}, {"sizes": "patch"}):
+            with self.assertRaisesRegex(RuntimeError, "names patch"):
+                self.remesh(size="COUNT", vertex_count=300, **names)
+        with self.assertRaisesRegex(RuntimeError, "names no attribute"):
+            self.remesh(size="SIZES")
+
     def test_colours_attributes_and_vertex_groups(self):
         thing = self.sphere()
         mesh = thing.data

@@ -73,8 +73,9 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 	/// Mean edge length in mesh units, > 0.
 	void SetTargetLen(double len)
 	{
-		targetMode    = gpr::TargetMode::EdgeLength;
-		targetEdgeLen = len;
+		targetMode       = gpr::TargetMode::EdgeLength;
+		targetEdgeLen    = len;
+		edgeLenIsPercent = false;
 	}
 	/// The number of vertices forecast for a detail; only for the remeshing.
 	void SetTargetDetail(gpr::Detail detail)

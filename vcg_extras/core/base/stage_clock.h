@@ -13,7 +13,7 @@
 
 namespace gpr {
 
-/// A range of the whole work, in shares of 1.
+/// A range of the whole work, from 0 to 1.
 struct WorkShare {
 	double from = 0, to = 1;
 
@@ -31,19 +31,18 @@ public:
 	{
 	}
 
-	/// Starts anew, for another range of the call's work.
+	/// Drops all times and starts anew, for another range.
 	void restart(WorkShare whole);
 
-	/// Switches to the stages of another pipeline, which does the first part of the work, up to
-	/// this share.
+	/// Switches to the stages of another pipeline for the first part of the work, up to share
+	/// `until` of `whole`.
 	void beginFirstPart(Pipeline other, double until);
-	/// Switches back to the clock's pipeline for the rest of the work.
+	/// Switches back to the clock's pipeline for the rest.
 	void endFirstPart();
 
-	/// Ends the stage under way and begins `stage`.
+	/// Ends the stage under way. Begins `stage` and its progress.
 	void enter(Stage stage);
-	/// Ends the stage under way. Returns the times of all stages, in the order of their first
-	/// entry.
+	/// Ends the stage under way. Returns the total time of each stage, first entered first.
 	const std::vector<StageTime>& finish();
 
 private:

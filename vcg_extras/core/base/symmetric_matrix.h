@@ -52,8 +52,7 @@ struct SymmetricMatrixOf {
 				xz * v.x + yz * v.y + zz * v.z};
 	}
 
-	/// Solves this · x = b, by cofactors in double; nothing if the determinant is at most
-	/// `smallest`.
+	/// Solves this · x = b, by cofactors in double; nothing if |determinant| is at most `smallest`.
 	std::optional<Vec3<Scalar>> solve(const Vec3<Scalar>& b, double smallest = 0) const
 	{
 		const double a = xx, c = xy, d = xz, e = yy, f = yz, g = zz;

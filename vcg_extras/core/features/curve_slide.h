@@ -11,7 +11,7 @@
 namespace gpr {
 
 /// How far a vertex may slide along its curve: arc lengths to its two neighbours on the curve. Zero
-/// if the vertex must stay or the neighbour is on another curve.
+/// towards a neighbour that is not on the curve.
 struct SlideRoom {
 	float backward = 0;
 	float forward  = 0;
@@ -22,7 +22,8 @@ struct SlideRoom {
 	bool isOpen() const { return backward > 0 && forward > 0; }
 };
 
-/// The room of v, a vertex of a curve. None for a vertex at which feature lines meet.
+/// The room of v. None without a curve, for pinned or shared vertices, and at nodes and corners of
+/// feature lines. A corner of a border has room.
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v);
 
 /// Unit direction in which the arc grows at a vertex with room to slide: the direction of the chord
@@ -30,19 +31,18 @@ SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int 
 Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
 					 const SlideRoom& room);
 
-/// Whether a slide of v by `step` keeps the two chords at v close to the curve: within the
-/// tolerance of spacing (see CurveSpacing), or no further from the curve than now.
+/// Whether a slide of v by the arc length `step` (below 0: backward) keeps both chords at v within
+/// the tolerance of CurveSpacing from the curve, or no farther than now.
 bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 
-/// Whether v may go from its curve: the edge between its neighbours on the curve is as close to the
-/// curve as the two edges at v, or within the tolerance of spacing. False for vertices that must
-/// stay.
+/// Whether v may leave its curve: the edge between its neighbours on the curve is as close to the
+/// curve as the two edges at v, or within this tolerance. False without open room.
 bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v);
 
-/// Whether a slide of v by `step` leaves its neighbours on the curve between 0.7 and 1.3 wanted
-/// edges away along the curve, or within the range of the two arcs now. So repeated slides cannot
-/// crowd vertices at one place and leave long edges at another.
+/// Whether both arcs at v, after a slide by `step`, are 0.7 to 1.3 times the wanted edge length, or
+/// within the range of both arcs now. So repeated slides cannot crowd vertices at one place and
+/// leave long edges at another.
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 

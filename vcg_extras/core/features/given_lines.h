@@ -10,13 +10,13 @@
 
 namespace gpr {
 
-/// Whether the input mesh has lines: MeshView::line, or faces of different regions.
+/// Whether the input mesh has MeshView::line, or faces of different regions. Cost: O(F).
 bool hasGivenLines(const MeshView& input);
 
 /// Adds the lines of the input mesh to the feature lines of the surface: the edges in
-/// MeshView::line, and the edges between faces of different regions. Border edges are left out. All
-/// parts of a split edge are found. Returns the number of edges added. Needs: connected. Cost:
-/// linear, parallel.
+/// MeshView::line, and the edges between faces of different regions, with all parts of split edges;
+/// no border edges. Returns the number of surface edges added. Needs: connect(). Cost: linear,
+/// parallel.
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface);
 
 } // namespace gpr

@@ -13,12 +13,12 @@
 namespace gpr {
 
 /// Borders that lie at the same place but stay cut, as when three sheets meet (see sew_seams.h).
-/// Such borders are sampled once, and all get the same samples, so that no gap opens between the
-/// sheets. Segment i of a curve goes from point i to the next point.
+/// All these borders get the same samples, so that no gap opens between the sheets. Segment i of a
+/// curve goes from point i to the next point.
 class SharedBorders {
 public:
-	/// Finds equal positions along the closed curves at the border. Sewing has given equal
-	/// positions to edges at the same place. Cost: O(B log B) for B points of the border.
+	/// Finds equal positions along the border loops; sewSeams has made positions equal. Cost:
+	/// O(B log B) for B points.
 	SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves);
 
 	/// Whether any segment of the curve is shared.
@@ -27,16 +27,17 @@ public:
 	/// Whether point i is an end of a shared segment.
 	bool isOnShared(int curve, int i) const;
 
-	/// Whether every curve through point i must have a sample there.
+	/// Whether all curves through point i get a sample there, as at a fork.
 	bool isStop(int curve, int i) const;
+	/// Needs a border loop, as all functions below.
 	void addStop(int curve, int i);
 
-	/// Whether the segment has got its samples from one of its curves.
+	/// Whether a curve has given the segment its samples.
 	bool isSampled(int curve, int segment) const;
 	void markSampled(int curve, int segment);
 	/// share: part of the way along the segment, in the direction of the curve.
 	void addSample(int curve, int segment, float share, const Vec3f& position);
-	/// Calls visit(share, position).
+	/// Calls visit(share, position) in the order of addSample.
 	template <class Visit>
 	void forEachSample(int curve, int segment, const Visit& visit) const
 	{
@@ -48,7 +49,7 @@ public:
 
 private:
 	struct Sample {
-		float share; ///< from the end with the smaller number
+		float share; ///< from the end with the smaller place
 		Vec3f position;
 	};
 	struct Line {
@@ -56,7 +57,7 @@ private:
 		std::vector<Sample> samples;
 		bool                isSampled = false;
 	};
-	std::vector<std::vector<int>>       place_;  ///< per curve and point; empty: not of the border
+	std::vector<std::vector<int>>       place_;  ///< number per curve and point; empty: no loop
 	std::map<std::pair<int, int>, Line> line_;   ///< by the places of both ends
 	std::vector<char>                   isStop_; ///< per place
 
@@ -68,8 +69,8 @@ private:
 	Line&       lineOf(int curve, int segment);
 };
 
-/// Gives all border vertices at the same place the smallest of their sizes, so that the edges there
-/// are split alike.
+/// Gives all border vertices at the same place the smallest of their sizes, so that edges there are
+/// split alike. Needs sizes.
 void equalizeSizes(Surface& surface);
 
 } // namespace gpr

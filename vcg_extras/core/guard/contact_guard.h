@@ -12,20 +12,20 @@
 
 namespace gpr {
 
-/// Predicts whether a change of a mesh would make new contacts. If every change is allowed here,
-/// the mesh has no contacts beyond its first contacts. Exact: see mesh/face_contact.h. Holds a tree
-/// of boxes of the mesh's faces; the boxes grow with changes. 45 B per face.
+/// Predicts whether a change of a mesh would make new contacts. A mesh without contacts gets none
+/// if every change is allowed here. Exact: see mesh/face_contact.h. Holds a tree of boxes of the
+/// mesh's faces; the boxes grow with changes. 45 B per face.
 class ContactGuard {
 public:
-	/// hadContacts: the mesh already has contacts. The mesh must stay in memory.
+	/// hadContacts: the mesh has contacts. The mesh must stay in memory and get no more faces.
 	ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& workers);
 
-	/// Whether the triangles `made` may replace the living faces `gone`: the triangles make no
-	/// contact with other faces or each other, except with faces that a face of `gone` touched.
-	/// Cost: O(log F) and some hundred nanoseconds per nearby face.
+	/// Whether the triangles `made` may replace the living faces `gone`: the triangles touch
+	/// another face, the mirror image or each other only if `gone` did. Cost: O(log F) and some
+	/// hundred nanoseconds per nearby face.
 	bool allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone);
 
-	/// Updates the tree after a change. changed: the faces that moved.
+	/// Updates the tree; needed after each change. changed: the faces that moved.
 	void follow(const std::vector<int>& changed);
 
 private:

@@ -10,8 +10,8 @@
 
 namespace gpr {
 
-/// The record of vertex v of a mesh made by guarded collapses: the nearest point of the surface,
-/// found downhill from vertex surfaceVertex (nearestByDescent), and whether v is fixed. Cost: as
+/// The record of vertex v of a mesh made by guarded collapses, on no curve. The point is the
+/// nearest in a search from vertex surfaceVertex of the surface. A fixed vertex is pinned. Cost: as
 /// nearestByDescent.
 ResultVertex madeVertex(const Surface& surface, int surfaceVertex, const GuardedMesh& made, int v);
 

@@ -124,7 +124,7 @@ Frame requireFrame(const Box<double>& box)
 	if (canBeFramed(box)) return frameOf(box);
 	const double extent = box.largestSide();
 	const bool   isTiny = extent > 0 && std::isfinite(extent);
-	throw Failure(Status::UnusableInput, isTiny ? "The surface is too small to be computed with."
+	throw Failure(Status::UnusableInput, isTiny ? "The surface is too small for the numbers."
 												: "The surface has no area.");
 }
 

@@ -470,6 +470,9 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 	for (int e = 0; e < int(border.edge.size()); ++e) {
 		if (!border.inside[std::size_t(e)].empty()) edgeAt[border.edge[std::size_t(e)].corner] = e;
 	}
+	const auto isSelected = [&](std::size_t corner) {
+		return !out.selected.empty() && out.selected[std::size_t(input.vertexOf(corner))] != 0;
+	};
 	FaceSplitting faces(input, out);
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
 		pollNowAndThen(f, workers);
@@ -481,12 +484,13 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 			if (input.line != nullptr) part[k].line = input.line[c];
 			const auto found = edgeAt.find(int(c));
 			if (found == edgeAt.end()) continue;
+			const bool areEndsSelected = isSelected(c) && isSelected(3 * f + (k + 1) % 3);
 			for (const Inside& sample : border.inside[std::size_t(found->second)]) {
 				part[k].vertices.push_back(std::int32_t(out.positions.size()));
 				part[k].shares.push_back(float(sample.share));
 				out.positions.push_back(sample.place);
 				out.isKept.push_back(1);
-				if (!out.selected.empty()) out.selected.push_back(0);
+				if (!out.selected.empty()) out.selected.push_back(areEndsSelected);
 			}
 		}
 		faces.split(std::int32_t(f), std::move(part));

@@ -108,7 +108,7 @@ public:
 		char        text[240];
 		std::snprintf(text, sizeof text,
 					  "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) "
-					  "the nearest vertex of the border is off by %.3g.",
+					  "the nearest vertex of the border is %.3g away.",
 					  "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
 		throw Failure(Status::UnusableInput, text);
 	}
@@ -138,7 +138,7 @@ PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::ve
 		vertices.insert(vertices.end(), {e.first, e.second});
 	sortUnique(vertices);
 	if (vertices.empty())
-		throw Failure(Status::UnusableInput, "The surface has no border that could be periodic.");
+		throw Failure(Status::UnusableInput, "The surface has no border for a periodic cell.");
 	root_.resize(position.size());
 	std::iota(root_.begin(), root_.end(), 0);
 	shift_.assign(position.size(), Shift{});
@@ -179,8 +179,8 @@ void PeriodicBorder::findRoots()
 			root = before;
 			if (++shift_[std::size_t(v)][std::size_t(axis)] > 1) {
 				throw Failure(Status::UnusableInput,
-							  "The period is shorter than the cell: of some vertices of the border "
-							  "more than two lie one period from each other in a row.");
+							  "The period is shorter than the cell: more than two vertices of the "
+							  "border lie in a row, one period apart.");
 			}
 			axis = -1; // all axes once more
 		}

@@ -107,16 +107,17 @@ private:
 
 } // namespace
 
-int refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-				 ResultMesh& result, Workers& workers)
+Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+					 ResultMesh& result, Workers& workers)
 {
 	const double          limit = provable * goal;
 	const FarPointSearch  search(surface, limit, workers);
 	FallingNumber         pointNum;
 	std::vector<FarPoint> points;
-	int                   added = 0;
+	Refined               refined;
 	for (int round = 0; round < mostRounds; ++round) {
-		points = search.next(result, points);
+		points            = search.next(result, points);
+		refined.keepsGoal = points.empty();
 		if (!pointNum.goesOn(points.size())) break;
 		LocalRefinement settings;
 		settings.minAngle = (round < roundsForAngles ? angleAtFirst : angleLater) * radians;
@@ -124,9 +125,9 @@ int refineToGoal(const Surface& surface, const BoundaryCurves& curves, double go
 		settings.mostNew  = int(mostAdded * result.mesh.vertexNum);
 		const int more    = refineAt(surface, curves, points, settings, result, workers);
 		if (more == 0) break;
-		added += more;
+		refined.addedNum += more;
 	}
-	return added;
+	return refined;
 }
 
 } // namespace gpr

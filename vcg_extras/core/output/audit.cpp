@@ -184,13 +184,13 @@ std::string describeFailure(const AuditFigures& a)
 	const auto  add = [&](bool failed, const std::string& phrase) {
         if (failed) what += (what.empty() ? "" : ", ") + phrase;
 	};
-	add(a.nonManifoldEdges > 0, "edges that are not manifold");
-	add(a.nonManifoldVertices > 0, "vertices that are not manifold");
+	add(a.nonManifoldEdges > 0, "non-manifold edges");
+	add(a.nonManifoldVertices > 0, "non-manifold vertices");
 	add(a.duplicateFaces > 0, std::to_string(a.duplicateFaces) + " duplicate faces");
-	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " faces without area");
-	add(a.nonFinitePositions > 0, "coordinates that are not finite");
+	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " degenerate faces");
+	add(a.nonFinitePositions > 0, "non-finite coordinates");
 	add(!a.componentsKept, "another number of components");
-	add(!a.boundaryLoopsKept, "another number of boundary loops");
+	add(!a.boundaryLoopsKept, "another number of border loops");
 	add(!a.eulerKept, "another Euler characteristic");
 	add(!a.junctionsKept, "other junctions");
 	if (what.empty()) what = "another number of vertices than promised";

@@ -36,8 +36,8 @@ DistanceProof proveDistance(RunContext& run, const Surface& surface, double diag
 	const double        scale = surface.frame.scale;
 	const DistanceProof proof{true, boundsOf(diagonal * scale, both, run.workers).times(1 / scale)};
 	if (proof.bounds.hausdorff().isBudgetSpent) {
-		run.tell("The bounds of the largest distance are proven, but they are farther from each "
-				 "other than 1 %: their budget was spent.");
+		run.tell("The proven bounds of the largest distance differ by more than 1 %: the budget of "
+				 "the proof was spent.");
 	}
 	return proof;
 }

@@ -156,9 +156,10 @@ private:
 		std::sort(made.begin(), made.end());
 		const std::vector<Edge> seam = findSeam(input_, part_.isInPart);
 		if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;
-		throw Failure(Status::PromiseBroken,
-					  "The new faces could not be joined to the rest: along its edge the selection "
-					  "has edges at which more than two faces meet.");
+		throw Failure(
+			Status::PromiseBroken,
+			"The new faces could not be joined to the rest of the mesh: along the border of "
+			"the selection lie edges with more than two faces.");
 	}
 };
 

@@ -35,7 +35,7 @@ std::string describeFailure(const CheckFigures& figures, double fitDistance)
 	add(figures.intersectingFaces > 0 && figures.inputIntersectingFaces == 0,
 		std::to_string(figures.intersectingFaces) + " self-intersecting faces");
 	add(!(figures.vertexDistance <= fitDistance + rounding),
-		"vertices farther from the input than the fit moves them");
+		"vertices farther from the input than the largest move of the fit");
 	if (what.empty()) return "";
 	return "The result was withheld because it has " + what + ".";
 }

@@ -28,10 +28,10 @@ double tellCountReached(RunContext& run, const Expected& expected, const ResultM
 	const double share    = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	const double constant = radiusConstant(run.options);
 	const double better   = constant * std::sqrt(share);
-	char         sentence[160];
+	char         sentence[200];
 	std::snprintf(sentence, sizeof sentence,
-				  "%lld vertices of %lld wanted (%+.1f %%); with %.3f instead of %.3f in eq. (1) "
-				  "it would have been about as many as wanted.",
+				  "The result has %lld of %lld wanted vertices (%+.1f %%). The constant %.3f in "
+				  "eq. (1), instead of %.3f, would give about the wanted number.",
 				  static_cast<long long>(result.mesh.vertexNum),
 				  static_cast<long long>(expected.vertexNum), 100 * (share - 1), better, constant);
 	run.tell(sentence);
@@ -44,12 +44,12 @@ std::int64_t tellKept(RunContext& run, const Expected& expected, const ResultMes
 	const std::int64_t kept = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
 	const std::int64_t lost = expected.keptNum - kept;
 	if (2 * kept > result.mesh.vertexNum) {
-		run.tell("More than half of the vertices had to stay where they were; the triangles beside "
-				 "them are uneven.");
+		run.tell("More than half of the vertices had to keep their places; the triangles beside "
+				 "these vertices are irregular.");
 	}
 	if (lost > 0) {
 		run.tell(std::to_string(lost) + " of the " + std::to_string(expected.keptNum) +
-				 " vertices that were to stay could not be kept.");
+				 " vertices to be kept were lost.");
 	}
 	return kept;
 }
@@ -62,8 +62,8 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 	if (!found.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(found.audit));
 	if (found.audit.invertedFaces == 0) return;
 	run.tell(std::to_string(found.audit.invertedFaces) +
-			 " faces are inverted: their normals point against the input's, where the surface is "
-			 "thinner than the triangles are wide.");
+			 " faces are inverted: their normals point against the normals of the input. The "
+			 "surface is thin there, and the triangles are wide.");
 }
 
 /// Largest distance of vertices beside the surface, in working units.
@@ -112,7 +112,7 @@ void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& res
 	if (shorter < leastShare) return;
 	char sentence[80];
 	std::snprintf(sentence, sizeof sentence,
-				  "The border is %.2g %% shorter than that of the input.", 100 * shorter);
+				  "The border is %.2g %% shorter than the border of the input.", 100 * shorter);
 	run.tell(sentence);
 }
 

@@ -101,9 +101,15 @@ ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const
 
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made)
 {
+	// Before came the removal of contacts. Where it found none the mesh is as it was refined.
+	const bool isSame = made.guarded.foundPairNum == 0 && !made.surface.mesh.meetsAtPlaces;
+	if (made.keepsGoal && isSame) return {};
 	run.clock.enter(Stage::Fit);
-	return {refineToGoal(made.surface, made.curves, goal.largest * made.surface.frame.scale,
-						 made.result, run.workers)};
+	const double  largest = goal.largest * made.surface.frame.scale;
+	const Refined refined =
+		refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	made.keepsGoal = refined.keepsGoal;
+	return {refined.addedNum};
 }
 
 ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made)

@@ -26,7 +26,7 @@ void tellLimits(RunContext& run, const FeatureEdges& features)
 {
 	if (features.supportCut) {
 		run.tell("The feature support was cut to 5 % of the square root of the area; the mesh is "
-				 "too coarse for more.");
+				 "too coarse for a larger support.");
 	}
 	if (features.cappedRayNum > 0) run.tellCap("faces crossed by the rays of the feature support");
 }
@@ -40,7 +40,7 @@ FeatureMarks detectRegion(RunContext& run)
 	exportFeatures(run.input, surface, found, result);
 	run.clock.endFirstPart();
 	if (result.figures.vertexNum > 0) return result.vertexFeature;
-	run.tell("No features were detected, so that there is no feature region.");
+	run.tell("No features were detected, so the run has no feature region.");
 	return {};
 }
 

@@ -19,6 +19,15 @@ constexpr std::int64_t fewVertices = 64;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
 constexpr int maxSearchedCounts = 8;
+/// Where sheets that meet in junctions intersect, the count is raised up to this many times the
+/// first count.
+constexpr std::int64_t mostForSheets = 16;
+
+/// The next count to try where sheets would intersect.
+std::int64_t quarterMore(std::int64_t vertexNum)
+{
+	return vertexNum + std::max<std::int64_t>(1, vertexNum / 4);
+}
 
 /// With a target of faces, larger numbers are tested, too: up to this number of faces, and with at
 /// most this number of attempts.
@@ -62,9 +71,9 @@ std::string lengthText(double length, double diagonal)
 /// The sentence about an error bound that no mesh met.
 std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 {
-	return "An error of at most " + lengthText(goal, diagonal) + " was not reached: with " +
-		   text(best.vertexNum) + " vertices it is proven to be at most " +
-		   lengthText(best.error, diagonal) + ".";
+	return "A largest error of " + lengthText(goal, diagonal) +
+		   " was not reached: the best mesh has " + text(best.vertexNum) +
+		   " vertices and a proven largest error of " + lengthText(best.error, diagonal) + ".";
 }
 
 /// The note about the vertex count for a detail.
@@ -79,8 +88,8 @@ std::string forecastText(std::int64_t vertexNum, const Request& request)
 std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
 {
 	return "With " + text(best.vertexNum) +
-		   " vertices no point of either mesh is farther from the other than " +
-		   lengthText(best.error, diagonal) + ". This is proven. It took " + text(trialNum) +
+		   " vertices the largest distance between input and result is proven to be at most " +
+		   lengthText(best.error, diagonal) + ". The search took " + text(trialNum) +
 		   (trialNum == 1 ? " trial." : " trials.");
 }
 
@@ -296,13 +305,13 @@ std::string Plan::makeRoom(std::int64_t euler)
 		throw Failure(Status::BadOptions,
 					  std::string("The ") + (keepsBorder ? "border has " : "feature region has ") +
 						  text(attempts_.keptNum) + " vertices to be kept, more than the " +
-						  text(attempts_.asked) + " of the result; ask for more vertices" +
+						  text(attempts_.asked) + " vertices of the result; ask for more vertices" +
 						  (keepsBorder ? "" : ", or give a feature disk scale") + ".");
 	}
 	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
 	const std::string  note   = "The border has " + text(attempts_.keptNum) +
-							 " vertices to be kept, so that " + text(raised) +
-							 " vertices were aimed at instead of " + text(attempts_.asked) + ".";
+							 " vertices to be kept, so the wanted number was raised from " +
+							 text(attempts_.asked) + " to " + text(raised) + " vertices.";
 	attempts_.isCountChosen = true;
 	decisions_.vertexNum = attempts_.asked = raised;
 	decisions_.faceNum                     = 0;
@@ -383,7 +392,7 @@ std::string Plan::accept(const MeshFacts& facts, std::string note)
 	if (isOther && !isWish()) refuseParity(facts.faceNum);
 	if (isOther && note.empty()) {
 		note = "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
-			   asked() + ", the nearest number that the surface allows.";
+			   asked() + ", the nearest possible number.";
 	}
 	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum;
 	if (decisions_.faceNum > 0) decisions_.faceNum = facts.faceNum;
@@ -438,7 +447,7 @@ void Plan::refuseParity(std::int64_t lower) const
 std::string Plan::withoutFeatureLines(const std::string& fault)
 {
 	decisions_.way = Way::WithoutFeatureLines;
-	return tryAgain(fault + ", so that there are none.");
+	return tryAgain(fault + ", so the result has no feature lines.");
 }
 
 std::string Plan::withRaggedBorder()
@@ -446,8 +455,7 @@ std::string Plan::withRaggedBorder()
 	decisions_.way               = Way::WithoutFeatureLines;
 	decisions_.keepsRaggedBorder = true;
 	return tryAgain(
-		"With a smooth border some triangles would have no area, so that it is not made "
-		"smooth.");
+		"With a smooth border some triangles would be degenerate, so the border is not smoothed.");
 }
 
 std::string Plan::withOpenSeams()
@@ -455,8 +463,7 @@ std::string Plan::withOpenSeams()
 	decisions_.way        = Way::WithoutFeatureLines;
 	decisions_.sewing     = Sewing::Never;
 	attempts_.preparedFor = 0; // the surface at hand is sewn
-	return tryAgain("With seams sewn some triangles would have no area, so that seams are left "
-					"open.");
+	return tryAgain("With sewn seams some triangles would be degenerate, so the seams stay open.");
 }
 
 /// Accepts or refuses the count reached with vertices to be kept. There is no other way to the
@@ -469,11 +476,12 @@ std::string Plan::nearestWithKept(const MeshFacts& reached)
 	attempts_.isRaised = isWish();
 	if (isWish()) {
 		return accept(reached, "The result has " + counts + " instead of " + asked() +
-								   ", with those to be kept the nearest that could be reached.");
+								   ", the nearest number reached with the vertices to be kept.");
 	}
 	if (decisions_.faceNum > 0 && std::abs(off) == 1) refuseParity(reached.faceNum);
 	refuse("The surface cannot be meshed with " + asked() + " that include the " +
-			   text(attempts_.keptNum) + " to be kept, but with " + counts + ".",
+			   text(attempts_.keptNum) + " vertices to be kept; a possible number is " + counts +
+			   ".",
 		   reached.vertexNum, reached.faceNum);
 }
 
@@ -486,8 +494,7 @@ std::string Plan::byTopology()
 std::string Plan::raiseTo(const MeshFacts& smallest)
 {
 	const std::string note = "The result has " + counted(smallest.vertexNum, smallest.faceNum) +
-							 " instead of " + asked() +
-							 ", the smallest number that could be reached.";
+							 " instead of " + asked() + ", the smallest number reached.";
 	attempts_.isRaised   = true;
 	decisions_.way       = Way::WithoutFeatureLines;
 	decisions_.vertexNum = attempts_.asked = smallest.vertexNum;
@@ -518,10 +525,10 @@ std::string Plan::endSearchAt(const MeshFacts& found)
 	const std::string counts = counted(found.vertexNum, found.faceNum);
 	if (mayDiffer()) {
 		return accept(found, "The result has " + counts + " instead of " + asked() +
-								 ", with which some triangles would have no area.");
+								 ", with which some triangles would be degenerate.");
 	}
-	refuse("With " + asked() + " some triangles would have no area; with " +
-			   (asksForFaces() ? counts : text(found.vertexNum)) + " none has.",
+	refuse("With " + asked() + " some triangles would be degenerate; a possible number is " +
+			   (asksForFaces() ? counts : text(found.vertexNum)) + ".",
 		   found.vertexNum, found.faceNum);
 }
 
@@ -532,8 +539,7 @@ std::string Plan::goOnSearching()
 	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
 	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
 	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom, 0);
-	const std::int64_t last = decisions_.vertexNum;
-	return search(isOver ? attempts_.searchedFrom : last + std::max<std::int64_t>(1, last / 4));
+	return search(isOver ? attempts_.searchedFrom : quarterMore(decisions_.vertexNum));
 }
 
 std::string Plan::judgeAreas(const MeshFacts& facts)
@@ -581,7 +587,7 @@ std::string Plan::judge(const MeshFacts& facts)
 									   " could not be reached with feature lines");
 		}
 		if (facts.hasFeatureLines && facts.hasZeroAreas)
-			return withoutFeatureLines("With feature lines some triangles would have no area");
+			return withoutFeatureLines("With feature lines some triangles would be degenerate");
 		if (facts.hasSmoothBorder && facts.hasZeroAreas) return withRaggedBorder();
 		if (facts.isSewn && facts.hasZeroAreas) return withOpenSeams();
 	}
@@ -598,34 +604,56 @@ std::string Plan::judge(const FitFacts& facts)
 	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
+/// Sheets intersect beside a junction. If the target is a wish, the next mesh has a quarter more
+/// vertices; else the run refuses.
+std::string Plan::separateByMore(const ContactFacts& facts)
+{
+	const std::int64_t next = quarterMore(facts.before);
+	const std::int64_t faceNum =
+		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
+	const bool         isFirst = attempts_.separatedFrom == 0;
+	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
+	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
+		refuse("With " + asked() +
+				   " sheets that meet in junctions would intersect each other; smaller triangles "
+				   "there, or about " +
+				   counted(next, faceNum) + ", are needed.",
+			   next, faceNum);
+	}
+	const std::string note = "With " + asked() +
+							 " sheets that meet in junctions would intersect each other, so that "
+							 "there are more.";
+	decisions_.vertexNum = attempts_.asked = next;
+	decisions_.faceNum                     = faceNum;
+	decisions_.addedNum                    = 0;
+	attempts_.isRaised                     = true;
+	attempts_.refinementNum                = 0;
+	attempts_.separatedFrom                = first;
+	return tryAgain(isFirst ? note : "");
+}
+
 std::string Plan::judge(const ContactFacts& facts)
 {
-	if (facts.isRefused && facts.vertexNum <= facts.before) {
-		refuse("With " + asked() +
-				   " sheets that meet in junctions would intersect each other; more triangles, or "
-				   "smaller ones there, are needed.",
-			   facts.before + std::max<std::int64_t>(1, facts.before / 4),
-			   asksForFaces() ? raised(facts.faceNum) : 0);
-	}
+	if (facts.isRefused && facts.vertexNum <= facts.before) return separateByMore(facts);
 	if (facts.isRefused && asksForFaces()) {
 		const std::int64_t least = facts.faceNum + 2 * (facts.vertexNum - facts.before);
 		refuse("With " + asked() +
-				   " the surface would intersect itself. The smallest numbers that are reached "
-				   "without self-intersections are about " +
+				   " the surface would intersect itself. The smallest numbers without "
+				   "self-intersections are about " +
 				   text(least) + " and " + text(least + 2) + ".",
 			   facts.vertexNum, least);
 	}
 	if (facts.isRefused) {
 		refuse("With " + text(facts.before) +
 				   " vertices the surface would intersect itself. The smallest number of vertices "
-				   "that was reached without self-intersections is " +
+				   "reached without self-intersections is " +
 				   text(facts.vertexNum) + ".",
 			   facts.vertexNum);
 	}
 	goOn();
 	const bool isMissed = decisions_.faceNum > 0 && facts.faceNum != decisions_.faceNum;
 	if (isMissed && !isWish()) {
-		refuse("With " + asked() + " the surface would intersect itself; it does not with " +
+		refuse("With " + asked() + " the surface would intersect itself, but not with " +
 				   counted(facts.vertexNum, facts.faceNum) + ".",
 			   facts.vertexNum, facts.faceNum);
 	}
@@ -636,7 +664,7 @@ std::string Plan::judge(const ContactFacts& facts)
 	if (isMissed) decisions_.faceNum = facts.faceNum;
 	return "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
 		   (asksForFaces() ? asked() : text(facts.before)) +
-		   ". This is the smallest number that was reached without self-intersections.";
+		   ", the smallest number reached without self-intersections.";
 }
 
 std::string Plan::judge(const RefinementFacts& facts)
@@ -701,7 +729,7 @@ void Plan::judge(const Failure& failure)
 	if (!isFirst && decisions_.purpose != Purpose::CountToBeHad) throw failure;
 	if (isFirst) {
 		refusal_ = failure;
-		refused_ = asksForFaces() ? asked() : text(decisions_.wholeNum()) + " vertices";
+		refused_ = asked();
 	}
 	else if (!isSmall || hadNums_.size() == 2 ||
 			 (!asksForFaces() && failure.smallestVertexNum <= smallestNum_)) {
@@ -748,8 +776,8 @@ Failure Plan::refusalAtLast() const
 		Failure failure(refusal_->status,
 						"The surface cannot be meshed with " + refused_ + "; the " +
 							(isSmall ? "smallest" : "nearest") + " possible number" +
-							(areTwo ? "s that were found are " : " that was found is ") + faces +
-							" (" + vertices + " vertices).",
+							(areTwo ? "s found are " : " found is ") + faces + " (" + vertices +
+							" vertices).",
 						isSmall ? first.vertexNum : 0, first.faceNum);
 		failure.nextFaceNum = last.faceNum;
 		return failure;
@@ -757,7 +785,7 @@ Failure Plan::refusalAtLast() const
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
 	return {refusal_->status,
 			"The surface cannot be meshed with " + refused_ +
-				"; the smallest possible number without self-intersections that was found is " +
+				"; the smallest possible number found without self-intersections is " +
 				text(smallestNum_) + ".",
 			smallestNum_};
 }

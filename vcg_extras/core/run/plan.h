@@ -184,6 +184,8 @@ struct Request {
 ///     7 at few vertices a degenerate face          the next count, eight times  Input
 ///     crowded lines after the fit                  lines released               Release
 ///     no contacts, but above the count             larger count, or refused     -
+///     sheets intersect beside a junction           a quarter more, up to 16
+///                                                    times, or refused          Lines
 ///     error above the bound at single places       vertices there, 3 times      Contacts
 ///     error above the bound, or far below it       another count, 5 trials      Region
 ///     refused at up to 64 vertices                 test of the count in the
@@ -257,12 +259,13 @@ private:
 		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
 		bool         followLines   = false; ///< see SizeFacts
 		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
-		bool         isRaised      = false; ///< to the smallest count reached by topology
+		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
 		double       area          = 0;     ///< working units squared
 		std::int64_t searchedFrom  = 0;     ///< first count of the search of rule 7
 		int          searchedNum   = 0;     ///< counts of the search so far; 0: no search
 		int          correctionNum = 0;     ///< of the radius
 		int          refinementNum = 0;
+		std::int64_t separatedFrom = 0; ///< count at which sheets would intersect; 0: not so
 	};
 	Attempts attempts_;
 
@@ -306,6 +309,7 @@ private:
 	std::string       raiseTo(const MeshFacts& smallest);
 	std::string       judgeAreas(const MeshFacts& facts);
 	std::string       judgeSmallest(const MeshFacts& facts);
+	std::string       separateByMore(const ContactFacts& facts);
 	std::string       search(std::int64_t vertexNum);
 	std::string       beginSearch(const MeshFacts& from);
 	std::string       goOnSearching();

@@ -104,8 +104,10 @@ struct Products {
 	float          fitDistance = 0; ///< largest, from a vertex to its surface point, working units
 	GuardedFigures guarded;         ///< Contacts
 	bool           hasMadeVertices = false; ///< the last step Contacts made vertices
+	bool           keepsGoal       = false; ///< Refinement: no point was beyond the goal
 	Verification   verified;                ///< Error (its proof), Check
 	QualityFigures quality;                 ///< Export
+	std::int64_t   regularNum = 0;          ///< Export: see RemeshReport::regularVertexNum
 
 	/// Frees the products of a step and of all later steps.
 	void dropFrom(Step step);

@@ -67,6 +67,7 @@ void reportResult(const Products& made, RemeshReport& report)
 	report.radiusConstantForTarget = verified.constantForTarget;
 	report.keptVertexNum           = verified.keptNum;
 	report.quality                 = made.quality;
+	report.regularVertexNum        = made.regularNum;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/features/given_lines.h>
+#include <vcg_extras/core/features/regular_count.h>
 #include <vcg_extras/core/guard/contact_removal.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/exact_count.h>
@@ -14,9 +15,11 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
+#include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -239,8 +242,8 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 		made.result      = std::move(withLines);
 	}
 	else {
-		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
-				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
+		run.tell("Some feature lines are too close to each other for good angles; " +
+				 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
 	}
 	return {};
 }
@@ -288,13 +291,11 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 void tellMade(RunContext& run, const Products& made)
 {
 	if (!made.hasMadeVertices) return;
-	run.tell(
-		"Triangles would intersect each other where the surface is thinner than they are wide, so "
-		"that " +
-		std::to_string(made.guarded.vertexNum) + " of the " +
-		std::to_string(made.result.vertexNum()) +
-		" vertices were made by guarded edge collapses of the input. The triangles there are less "
-		"regular.");
+	run.tell("At thin places of the surface the triangles would intersect each other. Guarded edge "
+			 "collapses of the input made " +
+			 std::to_string(made.guarded.vertexNum) + " of the " +
+			 std::to_string(made.result.vertexNum()) +
+			 " vertices, at these places. The triangles there are less regular.");
 }
 
 namespace {
@@ -308,8 +309,8 @@ void tellCutJunctions(RunContext& run, const Products& made)
 	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
 		return;
 	run.tell(
-		"Curves along which more than two faces meet were cut, and what met there is apart now. "
-		"--junctions keep would mesh them once for all sheets, which stay joined.");
+		"Edges with more than two faces were cut, so the sheets there are separate now. The option "
+		"junctions with the value keep meshes these edges once for all sheets, which stay joined.");
 }
 
 } // namespace
@@ -325,10 +326,45 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 	return {};
 }
 
+namespace {
+
+/// Two digits, as a forecast has.
+std::int64_t rounded(double number)
+{
+	double unit = 1;
+	while (number >= 100 * unit)
+		unit *= 10;
+	return std::int64_t(unit * std::round(number / unit));
+}
+
+/// A result with too few vertices for its shape names the number with which it would be regular.
+void tellRegularNum(RunContext& run, Products& made)
+{
+	constexpr double   mostIrregular = 20; // percent of the faces
+	constexpr double   leastGrowth   = 1.2;
+	const std::int64_t num           = made.result.vertexNum();
+	if (made.quality.below30Percent <= mostIrregular || isPaper(run.options)) return;
+	const float  angle = float(run.options.featureAngleDeg) * radians;
+	const float  even  = evenEdge(made.surface.area, num);
+	const double ratio = double(
+		even / edgeForRegularity(made.surface.mesh, made.surface.area, even, angle, run.workers));
+	if (ratio * ratio < leastGrowth) return;
+	const bool isHalf   = made.surface.mesh.mirrorAxis >= 0;
+	made.regularNum     = rounded((isHalf ? 2 : 1) * ratio * ratio * double(num));
+	const int irregular = int(std::lround(made.quality.below30Percent));
+	run.tell("The triangles are wider than much of the surface between its sharp edges, so that " +
+			 std::to_string(irregular) + " % of them have an angle below 30 degrees. About " +
+			 std::to_string(made.regularNum) + " vertices (" + std::to_string(2 * made.regularNum) +
+			 " faces) are forecast to make nearly all of them regular.");
+}
+
+} // namespace
+
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
 								made.surface.cleaned.reorientedFaces > 0, made.verified.audit, out);
+	tellRegularNum(run, made);
 	return {made.result.vertexNum(), made.result.mesh.faceNum};
 }
 

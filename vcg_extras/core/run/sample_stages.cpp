@@ -17,6 +17,7 @@
 #include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -188,10 +189,14 @@ void separateSheets(RunContext& run, const Decisions& decisions, Products& made)
 {
 	constexpr int rounds = 8; // the collapses for added vertices may make false edges again
 	if (!made.surface.mesh.meetsAtPlaces) return;
+	int before = std::numeric_limits<int>::max();
 	for (int round = 0; round < rounds; ++round) {
-		if (splitFalseEdges(made.surface, made.result, run.workers) == 0) return;
+		const int num = splitFalseEdges(made.surface, made.result, run.workers);
+		if (num == 0) return;
 		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
 						run.workers);
+		if (num > before) return; // whole sheets at one place: every split makes more of them
+		before = num;
 	}
 }
 

@@ -55,7 +55,7 @@ void findRegionOnSurface(RunContext& run, Products& made)
 		regionVertices(run.input, regionMarks(run, made.regionMarks), surface, run.workers);
 	if (run.options.featureRegion == FeatureRegion::Selection && sizes.isFeatureVertex.empty()) {
 		throw Failure(Status::BadOptions,
-					  "The selection is to be preserved, but no vertex is selected.");
+					  "The feature region is the selection, but no vertex is selected.");
 	}
 	const std::vector<int> vertices =
 		callersVertices(run.input, sizes.isFeatureVertex, surface, run.workers);
@@ -317,7 +317,7 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 	const bool areAllGiven = run.options.featureMode == FeatureMode::Given;
 	if (areAllGiven && run.input.line == nullptr) {
 		throw Failure(Status::BadOptions,
-					  "The feature lines shall be the selected edges, but no edge is selected.");
+					  "The feature lines are the selected edges, but no edge is selected.");
 	}
 	if (!hasGivenLines(run.input) || !followsFeatureLines(run.options)) return {};
 	HalfEdgeMesh&      m      = made.surface.mesh;
@@ -331,9 +331,8 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 		return {};
 	}
 	m.crease.swap(before);
-	run.tell(
-		"There are more given lines, like the seams of a texture or the borders of regions, than "
-		"so few vertices can follow; triangles lie across them.");
+	run.tell("The vertices are too few for all given lines, such as seams of a texture or region "
+			 "borders, so the triangles do not follow these lines.");
 	return {};
 }
 

@@ -408,19 +408,19 @@ private:
 	void tell(const JoinedHalves& joined)
 	{
 		for (const std::string& note : ofRun_.notes)
-			run_.tell("Of the half that was remeshed: " + note);
+			run_.tell("For the remeshed half: " + note);
 		const MeshView& in       = call_.input;
 		const bool      hasMarks = in.wantedEdge != nullptr || in.selected != nullptr ||
 							  in.line != nullptr || in.hasManyRegions();
 		if (hasMarks) {
-			run_.tell("Wanted edges, selected vertices, given lines and borders of regions are "
-					  "followed on the remeshed half. The other half of them is not looked at.");
+			run_.tell("Wanted edge lengths, selected vertices, given lines and region borders have "
+					  "an effect on the remeshed half only.");
 		}
 		run_.tell("The result is symmetric across " + nameOf(found_.plane) + ": twice " +
 				  std::to_string(ofRun_.mesh.vertexNum()) + " vertices less " +
 				  std::to_string(joined.onPlaneNum) +
-				  " on the plane. The input's vertices are at most " +
-				  percentOf(found_.mismatch, diagonal()) + " from its mirror image.");
+				  " on the plane. The vertices of the input are at most " +
+				  percentOf(found_.mismatch, diagonal()) + " from the mirror image of the input.");
 	}
 };
 

@@ -25,8 +25,11 @@ constexpr double nearEnough = 0.87;
 /// The search ends between a count that meets and a count that misses the bound at this quotient.
 constexpr double nearCounts = 1.08;
 /// Largest change of the count from one trial to the next.
-constexpr double       largestGrowth = 4, largestShrink = 3;
-constexpr std::int64_t minCount = 4;
+constexpr double largestGrowth = 4, largestShrink = 3;
+/// The first count is a forecast. It is rarely below half of what is needed, as places that miss
+/// the bound get smaller triangles.
+constexpr double       growthAfterForecast = 2;
+constexpr std::int64_t minCount            = 4;
 
 } // namespace
 
@@ -88,7 +91,9 @@ std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 	if (met_.vertexNum > 0) return between(t, bySpots);
 	// The last trial must meet the bound, even with too many vertices.
 	const double byError = left_ == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
-	return clamped(std::min(std::max(bySpots, byError), largestGrowth) * n);
+	const bool   isFirst = left_ == goal_.maxTrials - 1;
+	const double most    = isFirst ? growthAfterForecast : largestGrowth;
+	return clamped(std::min(std::max(bySpots, byError), most) * n);
 }
 
 /// The next count between two trials: the count for smaller triangles at the places that miss the

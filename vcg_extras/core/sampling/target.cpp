@@ -35,10 +35,23 @@ float evenEdge(double area, std::int64_t vertexNum)
 	return float(diskRadius(area, double(vertexNum), 1));
 }
 
+RemeshOptions withoutPercent(RemeshOptions o, double diagonal)
+{
+	const auto resolve = [diagonal](double& length, bool& isPercent) {
+		if (isPercent) length *= diagonal / 100;
+		isPercent = false;
+	};
+	resolve(o.targetEdgeLen, o.edgeLenIsPercent);
+	resolve(o.targetMaxError, o.maxErrorIsPercent);
+	resolve(o.minEdge, o.minEdgeIsPercent);
+	resolve(o.maxEdge, o.maxEdgeIsPercent);
+	return o;
+}
+
 double largestError(const RemeshOptions& o, double diagonal)
 {
 	if (o.targetMode == TargetMode::Detail) return detailError(o.targetDetail) * diagonal;
-	return o.targetMaxError * (o.maxErrorIsPercent ? diagonal / 100 : 1);
+	return withoutPercent(o, diagonal).targetMaxError;
 }
 
 double vertexNumForEdgeLength(double area, double edgeLength)
@@ -100,6 +113,14 @@ MeshExtent extentOf(const MeshView& mesh)
 	}
 	extent.diagonal = box.diagonal();
 	return extent;
+}
+
+RemeshOptions inMeshUnits(const MeshView& mesh, const RemeshOptions& o)
+{
+	const bool hasPercent =
+		o.edgeLenIsPercent || o.maxErrorIsPercent || o.minEdgeIsPercent || o.maxEdgeIsPercent;
+	const double diagonal = hasPercent ? extentOf(mesh).diagonal : 0;
+	return diagonal > 0 ? withoutPercent(o, diagonal) : o; // what has no extent is refused
 }
 
 } // namespace gpr

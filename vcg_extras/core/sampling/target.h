@@ -25,6 +25,9 @@ double radiusConstant(const RemeshOptions& options);
 /// Edge length of vertexNum vertices in equilateral triangles of one size.
 float evenEdge(double area, std::int64_t vertexNum);
 
+/// The same options with all lengths in the units of the diagonal.
+RemeshOptions withoutPercent(RemeshOptions options, double diagonal);
+
 /// The error bound of the options, in the units of the diagonal, with TargetMode::MaxError or
 /// Detail.
 double largestError(const RemeshOptions& options, double diagonal);
@@ -49,6 +52,9 @@ struct MeshExtent {
 	double diagonal = 0;
 };
 MeshExtent extentOf(const MeshView& mesh);
+
+/// The options with all lengths in mesh units. Cost: linear where a length is in percent.
+RemeshOptions inMeshUnits(const MeshView& mesh, const RemeshOptions& options);
 
 } // namespace gpr
 

@@ -196,7 +196,7 @@ bool Junctions::hasTwinFaces(Workers& workers) const
 		workers.collectEach<std::array<int, 3>>(std::size_t(m_.faceNum), [&](int f, auto& out) {
 			const std::array<int, 3> corner    = cornersOf(f);
 			const auto               isOfPlace = [&](int v) { return places_.count(v) > 0; };
-			if (std::all_of(corner.begin(), corner.end(), isOfPlace)) out.push_back(corner);
+			if (std::any_of(corner.begin(), corner.end(), isOfPlace)) out.push_back(corner);
 		});
 	std::sort(faces.begin(), faces.end());
 	return std::adjacent_find(faces.begin(), faces.end()) != faces.end();
@@ -206,8 +206,8 @@ std::vector<int> Junctions::falseEdges(Workers& workers) const
 {
 	const auto isOfPlace = [&](int v) { return places_.count(first_[std::size_t(v)]) > 0; };
 	const std::vector<int> chords = workers.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
-		return !isDeadFace(m_, h / 3) && h < m_.opposite[h] && isOfPlace(m_.origin[h]) &&
-			   isOfPlace(m_.target(h));
+		return !isDeadFace(m_, h / 3) && h < m_.opposite[h] &&
+			   (isOfPlace(m_.origin[h]) || isOfPlace(m_.target(h)));
 	});
 	std::map<Ends, bool>   seen;
 	std::vector<int>       found;

@@ -120,8 +120,8 @@ void checkWritable(const std::string& path)
 {
 	const std::string target = withoutLinks(path);
 	std::error_code   error;
-	if (fs::is_directory(target, error)) failToWrite(path, "it is a folder");
-	if (!mayOverwrite(target)) failToWrite(path, "it is write-protected");
+	if (fs::is_directory(target, error)) failToWrite(path, "a folder has this name");
+	if (!mayOverwrite(target)) failToWrite(path, "the file is write-protected");
 	if (isSpecial(target)) return;
 	OutputFile attempt(path); // made and removed again
 }

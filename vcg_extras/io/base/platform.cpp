@@ -121,7 +121,7 @@ FileContent::FileContent(const std::string& path)
 	const Descriptor file(path);
 	struct stat      status;
 	if (file.number < 0 || ::fstat(file.number, &status) != 0) failToRead();
-	if (S_ISDIR(status.st_mode)) failInput("it is a folder");
+	if (S_ISDIR(status.st_mode)) failInput("the path names a folder");
 	if (S_ISREG(status.st_mode) && status.st_size > 0) {
 		void* const at = ::mmap(nullptr, std::size_t(status.st_size), PROT_READ,
 								MAP_PRIVATE | mapAtOnce, file.number, 0);

@@ -100,7 +100,7 @@ InputMesh readBinaryStl(std::string_view file)
 	constexpr std::size_t mostCorners = std::numeric_limits<std::int32_t>::max();
 	const std::size_t     end         = std::size_t(promisedStlBytes(file));
 	const StlFacets       facets(file.substr(stlFacetsAt, end - stlFacetsAt));
-	if (facets.cornerNum() > mostCorners) failInput("it has more than 715827882 faces");
+	if (facets.cornerNum() > mostCorners) failInput("the file has more than 715827882 faces");
 	Workers     workers(0, nullptr);
 	Buffer<int> first = FirstCorners(facets, workers).find();
 	InputMesh   mesh;

@@ -57,7 +57,7 @@ int componentNumOf(const GltfJson& accessor)
 	if (*type == "VEC2") return 2;
 	if (*type == "VEC3") return 3;
 	if (*type == "VEC4") return 4;
-	failInput("an accessor is of another type than is wanted there");
+	failInput("an accessor has a wrong type");
 }
 
 std::size_t bytesOf(std::int64_t componentType)
@@ -101,16 +101,16 @@ double normalized(double value, std::int64_t componentType)
 GlbChunks glbChunksOf(std::string_view file)
 {
 	if (file.size() < gltf::headerBytes || valueAt<std::uint32_t>(file.data()) != gltf::magic)
-		failInput("it is no binary glTF file");
+		failInput("the file is no binary glTF file");
 	if (valueAt<std::uint32_t>(file.data() + 4) != gltf::version)
-		failInput("it is of another version of glTF than 2.0");
+		failInput("the file has another version of glTF than 2.0");
 	const auto length = valueAt<std::uint32_t>(file.data() + 8);
 	if (length > file.size() || length < gltf::headerBytes) failInput("the file is cut off");
 	file = file.substr(gltf::headerBytes, length - gltf::headerBytes);
 
 	std::uint32_t          kind = 0;
 	const std::string_view json = takeChunk(file, kind);
-	if (kind != gltf::jsonChunk) failInput("it has no JSON part");
+	if (kind != gltf::jsonChunk) failInput("the file has no JSON part");
 	GlbChunks              glb{parsed(json), {}};
 	const std::string_view second = takeChunk(file, kind);
 	if (kind == gltf::binaryChunk) glb.binary = second;
@@ -138,7 +138,7 @@ std::int64_t countOf(const GltfJson& object, const char* name, std::int64_t fall
 const GltfJson& entryOf(const GltfJson& list, std::int64_t index, const char* what)
 {
 	if (index < 0 || index >= std::int64_t(list.size()) || !list[std::size_t(index)].is_object())
-		failInput(std::string("it names a ") + what + " that does not exist");
+		failInput(std::string("the file names a ") + what + " that does not exist");
 	return list[std::size_t(index)];
 }
 
@@ -160,12 +160,12 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 {
 	const GltfJson& entry = entryOf(listOf(glb.json, "accessors"), accessor, "accessor");
 	if (entry.contains("sparse") || !entry.contains("bufferView"))
-		failInput("it has sparse accessors, which are not read");
+		failInput("the file has sparse accessors, which are not read");
 	type_           = countOf(entry, "componentType", 0);
 	componentBytes_ = bytesOf(type_);
 	componentNum_   = componentNumOf(entry);
 	if (wantedComponents != 0 && componentNum_ != wantedComponents)
-		failInput("an accessor is of another type than is wanted there");
+		failInput("an accessor has a wrong type");
 	const auto normalizedEntry = entry.find("normalized");
 	isNormalized_ = normalizedEntry != entry.end() && *normalizedEntry == GltfJson(true);
 

@@ -126,7 +126,7 @@ void checkExtensions(const GltfJson& json)
 {
 	for (const GltfJson& name : listOf(json, "extensionsRequired")) {
 		if (!name.is_string() || !isHarmless(name.get<std::string>()))
-			failInput("it needs the extension " +
+			failInput("the file needs the extension " +
 					  (name.is_string() ? name.get<std::string>() : "") +
 					  " of glTF, which is not read");
 	}
@@ -146,7 +146,7 @@ public:
 		const GltfJson& nodes  = listOf(glb_.json, "nodes");
 		const GltfJson& scenes = listOf(glb_.json, "scenes");
 		isVisited_.assign(nodes.size(), 0);
-		if (scenes.empty()) failInput("it has no scene");
+		if (scenes.empty()) failInput("the file has no scene");
 		const GltfJson& scene = entryOf(scenes, countOf(glb_.json, "scene", 0), "scene");
 		readNodes(listOf(scene, "nodes"), Transform());
 		while (!waiting_.empty()) {
@@ -225,7 +225,7 @@ private:
 	{
 		if (!primitive.is_object()) failInput("a primitive is malformed");
 		if (!listOf(primitive, "targets").empty())
-			failInput("it has morph targets, which are not read");
+			failInput("the file has morph targets, which are not read");
 		const std::int64_t mode = countOf(primitive, "mode", gltf::Triangles);
 		if (mode != gltf::Triangles && mode != gltf::TriangleStrip && mode != gltf::TriangleFan) {
 			++otherPrimitiveNum_;
@@ -244,7 +244,7 @@ private:
 	void addVertices(const GltfJson& attributes, const GltfRows& places, const Transform& transform)
 	{
 		if (positions_.size() / 3 + places.rowNum() > std::size_t(INT32_MAX))
-			failInput("it has more vertices than can be counted");
+			failInput("the file has too many vertices");
 		for (std::size_t v = 0; v < places.rowNum(); ++v) {
 			const Vec3d p =
 				transform.point({places.number(v, 0), places.number(v, 1), places.number(v, 2)});
@@ -346,7 +346,8 @@ private:
 		const bool isTurned = isMirror != (isStrip && i % 2 == 1);
 		if (isStrip && (a == b || b == c || c == a)) return; // the face only steers the strip
 		if (isTurned) std::swap(b, c);
-		if (triangles_.size() / 3 >= std::size_t(INT32_MAX)) failInput("it has too many faces");
+		if (triangles_.size() / 3 >= std::size_t(INT32_MAX))
+			failInput("the file has too many faces");
 		for (const std::int32_t corner : {a, b, c})
 			triangles_.push_back(corner);
 	}
@@ -360,10 +361,23 @@ private:
 		material_.resize(triangles_.size() / 3, double(number));
 	}
 
+	/// What the scene has and the mesh has not.
+	void nameLost(MeshAttributes& a) const
+	{
+		if (hasLost_) a.lost.push_back("skins and further sets of attributes");
+		if (listOf(glb_.json, "meshes").size() > 1) a.lost.push_back("names of nodes and meshes");
+		for (const char* name : {"cameras", "animations"}) {
+			if (!listOf(glb_.json, name).empty()) a.lost.push_back(name);
+		}
+		const GltfJson& used = listOf(glb_.json, "extensionsUsed");
+		if (std::find(used.begin(), used.end(), "KHR_lights_punctual") != used.end())
+			a.lost.push_back("lights");
+	}
+
 	void giveAttributes(InputMesh& mesh)
 	{
 		MeshAttributes& a = mesh.attributes;
-		if (hasLost_) a.lost.push_back("skins and further sets of attributes");
+		nameLost(a);
 		if (normals_.isThere && !normals_.isMissingSomewhere)
 			giveColumns(normals_, {"nx", "ny", "nz"}, PlyType::Float32, 1, a);
 		if (colours_.isThere)

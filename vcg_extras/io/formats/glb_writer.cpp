@@ -4,6 +4,7 @@
 
 #include "glb_container.h"
 #include "gltf_materials.h"
+#include "gltf_text.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 
@@ -100,28 +101,26 @@ public:
 
 class GlbWriting {
 public:
-	GlbWriting(const TriangleMesh& mesh, const MeshAttributes& a) : mesh_(mesh), a_(a)
+	/// All levels share the parts, and the materials of the first.
+	GlbWriting(const TriangleMesh& mesh, const MeshAttributes& a, GlbParts& parts) :
+			mesh_(mesh), a_(a), parts_(parts)
 	{
-		parts_.json = {{"asset", {{"version", "2.0"}, {"generator", "gpremesh"}}},
-					   {"scene", 0},
-					   {"scenes", {{{"nodes", {0}}}}},
-					   {"nodes", {{{"mesh", 0}}}}};
 	}
 
-	void write(OutputFile& out)
+	void put()
 	{
 		const FileVertices vertices = a_.hasTexture() ? verticesWithTexture(mesh_, a_.texture.uv)
 													  : verticesWithoutTexture(mesh_);
 		putVertices(vertices);
-		putMaterials();
+		if (!parts_.json.contains("materials")) putMaterials();
+		if (parts_.json.contains("materials")) materialNum_ = parts_.json["materials"].size();
 		putFaces(vertices);
-		writeParts(out);
 	}
 
 private:
 	const TriangleMesh&   mesh_;
 	const MeshAttributes& a_;
-	GlbParts              parts_;
+	GlbParts&             parts_;
 	GltfJson              attributes_  = GltfJson::object();
 	std::size_t           materialNum_ = 0;
 
@@ -214,7 +213,6 @@ private:
 			putNamedMaterials();
 		else if (a_.hasTexture())
 			putImages();
-		if (parts_.json.contains("materials")) materialNum_ = parts_.json["materials"].size();
 	}
 
 	void putGltfMaterials(const GltfMaterials& kept)
@@ -281,37 +279,60 @@ private:
 		}
 		parts_.json["meshes"].push_back({{"primitives", std::move(primitives)}});
 	}
-
-	// ---- the file
-
-	static void number(std::size_t value, OutputFile& out)
-	{
-		const auto word = std::uint32_t(value);
-		char       bytes[sizeof word];
-		std::memcpy(bytes, &word, sizeof word);
-		out.bytes(bytes, sizeof word);
-	}
-
-	void writeParts(OutputFile& out)
-	{
-		parts_.json["buffers"].push_back({{"byteLength", parts_.binary.size()}});
-		std::string text = parts_.json.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
-		text.append((4 - text.size() % 4) % 4, ' ');
-		const std::size_t length =
-			gltf::headerBytes + 2 * gltf::chunkHeaderBytes + text.size() + parts_.binary.size();
-		if (length > UINT32_MAX)
-			throw AppError(ExitCode::Failure, "a binary glTF file holds at most 4 GB.");
-		number(gltf::magic, out);
-		number(gltf::version, out);
-		number(length, out);
-		number(text.size(), out);
-		number(gltf::jsonChunk, out);
-		out.text(text);
-		number(parts_.binary.size(), out);
-		number(gltf::binaryChunk, out);
-		out.bytes(parts_.binary.data(), parts_.binary.size());
-	}
 };
+
+// ---- the file
+
+GlbParts partsOfOneMesh()
+{
+	GlbParts parts;
+	parts.json = {{"asset", {{"version", "2.0"}, {"generator", "gpremesh"}}},
+				  {"scene", 0},
+				  {"scenes", {{{"nodes", {0}}}}},
+				  {"nodes", {{{"mesh", 0}}}}};
+	return parts;
+}
+
+void put(std::size_t value, std::string& out)
+{
+	const auto word = std::uint32_t(value);
+	char       bytes[sizeof word];
+	std::memcpy(bytes, &word, sizeof word);
+	out.append(bytes, sizeof word);
+}
+
+/// All but the binary part, which follows. Completes the JSON.
+std::string headOf(GlbParts& parts)
+{
+	parts.json["buffers"].push_back({{"byteLength", parts.binary.size()}});
+	std::string text = parts.json.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
+	text.append((4 - text.size() % 4) % 4, ' ');
+	const std::size_t length =
+		gltf::headerBytes + 2 * gltf::chunkHeaderBytes + text.size() + parts.binary.size();
+	if (length > UINT32_MAX)
+		throw AppError(ExitCode::Failure, "a binary glTF file holds at most 4 GB.");
+	std::string head;
+	for (const std::size_t word : {std::size_t(gltf::magic), std::size_t(gltf::version), length,
+								   text.size(), std::size_t(gltf::jsonChunk)})
+		put(word, head);
+	head += text;
+	put(parts.binary.size(), head);
+	put(gltf::binaryChunk, head);
+	return head;
+}
+
+void write(GlbParts& parts, OutputFile& out)
+{
+	out.text(headOf(parts));
+	out.bytes(parts.binary.data(), parts.binary.size());
+}
+
+GlbParts partsOf(const TriangleMesh& mesh, const MeshAttributes& attributes)
+{
+	GlbParts parts = partsOfOneMesh();
+	GlbWriting(mesh, attributes, parts).put();
+	return parts;
+}
 
 bool isWritten(const ValueColumn& column)
 {
@@ -320,10 +341,7 @@ bool isWritten(const ValueColumn& column)
 		   is("nz");
 }
 
-} // namespace
-
-void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
-			  std::vector<std::string>& lost)
+void tellLost(const MeshAttributes& attributes, std::vector<std::string>& lost)
 {
 	for (const ValueColumn& column : attributes.ofVertices) {
 		if (!isWritten(column)) lost.push_back("'" + column.name + "' of vertices");
@@ -331,7 +349,44 @@ void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, Output
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");
 	}
-	GlbWriting(mesh, attributes).write(out);
+}
+
+} // namespace
+
+void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
+			  std::vector<std::string>& lost)
+{
+	tellLost(attributes, lost);
+	GlbParts parts = partsOf(mesh, attributes);
+	write(parts, out);
+}
+
+void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
+			   std::vector<std::string>& lost)
+{
+	tellLost(attributes, lost);
+	GlbParts          parts = partsOf(mesh, attributes);
+	const std::string head  = headOf(parts);
+	out.text(gltfOfGlb(head + parts.binary));
+}
+
+void writeGlbLevels(const std::vector<GlbLevel>& levels, OutputFile& out)
+{
+	GlbParts parts      = partsOfOneMesh();
+	GltfJson coarser    = GltfJson::array();
+	parts.json["nodes"] = GltfJson::array();
+	for (std::size_t i = 0; i < levels.size(); ++i) {
+		const GlbLevel& level = levels[i];
+		GlbWriting(level.mesh, level.attributes, parts).put();
+		parts.json["nodes"].push_back(
+			{{"mesh", i}, {"extras", {{"largestError", level.largestError}}}});
+		if (i > 0) coarser.push_back(i);
+	}
+	if (!coarser.empty()) {
+		parts.json["extensionsUsed"].push_back("MSFT_lod");
+		parts.json["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = std::move(coarser);
+	}
+	write(parts, out);
 }
 
 } // namespace gpr::app

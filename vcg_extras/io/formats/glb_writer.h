@@ -20,6 +20,22 @@ namespace gpr::app {
 void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
 			  std::vector<std::string>& lost);
 
+/// The same as text, with the buffer inside. Needs hasGltfText().
+void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
+			   std::vector<std::string>& lost);
+
+/// One level of detail.
+struct GlbLevel {
+	TriangleMesh   mesh;
+	MeshAttributes attributes;
+	double         largestError = 0; ///< proven, mesh units
+};
+
+/// Writes a binary glTF file whose node has several levels by the extension MSFT_lod, the finest
+/// first. Each node tells its largest error in its extras. The materials of the first level are
+/// those of all. Throws as writeGlb.
+void writeGlbLevels(const std::vector<GlbLevel>& levels, OutputFile& out);
+
 } // namespace gpr::app
 
 #endif

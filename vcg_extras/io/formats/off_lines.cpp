@@ -48,7 +48,7 @@ OffHeader readOffHeader(std::string_view begin, std::uint64_t fileBytes)
 		}
 	}
 	if (wordNum == 0) checkKeyword({});
-	if (wordNum < 3) failInput("the file ends too early; it seems to be cut off");
+	if (wordNum < 3) failInput("the file ends too early and seems to be cut off");
 	header.byteNum = begin.size() - rest.size();
 	return header;
 }

@@ -192,7 +192,8 @@ public:
 	{
 		order_.finish(mesh.view());
 		if (order_.face().size() != mesh.faceNum()) { // triangle strips beside the faces
-			if (wanted_.faceSelection) failInput("its selection is not that of faces alone");
+			if (wanted_.faceSelection)
+				failInput("the selection is for faces and for triangle strips");
 			mesh.attributes.lost.push_back("attributes of faces beside triangle strips");
 			return;
 		}

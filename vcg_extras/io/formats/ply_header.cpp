@@ -41,7 +41,7 @@ public:
 	std::string_view next()
 	{
 		const std::size_t end = text_.find(lineBreak_, at_);
-		if (end == text_.npos) fail("it does not come to an end");
+		if (end == text_.npos) fail("the header has no end");
 		const std::string_view line = text_.substr(at_, end - at_);
 		at_                         = end + lineBreak_.size();
 		++lineNum_;

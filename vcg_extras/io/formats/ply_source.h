@@ -105,7 +105,7 @@ private:
 	const char* end_;
 	bool        swap_;
 
-	[[noreturn]] void failCut() const { fail("the file ends too early; it seems to be cut off"); }
+	[[noreturn]] void failCut() const { fail("the file ends too early and seems to be cut off"); }
 };
 
 /// The same for the words of an ASCII file. The types of the header do not matter for the stored

@@ -48,7 +48,7 @@ public:
 		faces_.finish(mesh_);
 		giveSolids();
 		if (endNum_ < solidNum_)
-			mesh_.notes.push_back("The STL file has no 'endsolid'; it may be cut off.");
+			mesh_.notes.push_back("The STL file has no 'endsolid' and may be cut off.");
 		settlePrecision(mesh_);
 		return std::move(mesh_);
 	}

@@ -56,11 +56,11 @@ FaceRegions regionsNamed(const MeshAttributes& attributes, const std::string& na
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (column.name != name) continue;
 		if (!areLabels(column))
-			failInput("its faces' '" + name +
-					  "' are no whole numbers, so that they tell no regions");
+			failInput("the values '" + name +
+					  "' of its faces are no whole numbers, so they are no labels of regions");
 		return regionsIn(column);
 	}
-	failInput("its faces have no property '" + name + "' that would tell regions");
+	failInput("its faces have no property '" + name + "' with labels of regions");
 }
 
 } // namespace

@@ -35,6 +35,7 @@ ParameterValue parseReal(const Parameter& p, const std::string& given)
 {
 	double value = 0;
 	if (p.isAutomatic && given == automaticName) return Automatic();
+	if (const auto percent = percentOf(p, given)) return *percent;
 	if (!parseNumber(given, value) || !isInRange(p, value)) failRange(p, numberKind(p), given);
 	return value;
 }
@@ -70,14 +71,6 @@ ParameterValue parseValue(const Parameter& p, const std::string& given)
 		return parseChoice(p, given);
 	}
 	return false;
-}
-
-/// Takes the percent sign off a largest error; false without the sign.
-bool takePercent(const Parameter& p, std::string& word)
-{
-	if (std::string(p.key) != "MaxError" || word.empty() || word.back() != '%') return false;
-	word.pop_back();
-	return true;
 }
 
 } // namespace
@@ -128,14 +121,20 @@ bool choosesSize(const Parameter& row, const std::string& word)
 	return isSizeParameter(row) && word != "off";
 }
 
+std::optional<ParameterValue> percentOf(const Parameter& p, const std::string& word)
+{
+	double     value  = 0;
+	const bool isRead = p.kind == ParameterKind::Length && !word.empty() && word.back() == '%' &&
+						parseNumber(word.substr(0, word.size() - 1), value);
+	if (!isRead || !isInRange(p, value)) return std::nullopt;
+	return PercentOfDiagonal{value};
+}
+
 RemeshOptions optionsOf(const GivenOptions& given)
 {
 	ParameterSet set;
 	int          sizeNum = 0;
-	bool         percent = false;
-	for (const auto& [row, givenWord] : given) {
-		std::string word = givenWord;
-		percent          = takePercent(*row, word) || percent;
+	for (const auto& [row, word] : given) {
 		sizeNum += choosesSize(*row, word) ? 1 : 0;
 		set.set(*row, parseValue(*row, word));
 	}
@@ -145,9 +144,7 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	}
 	const std::vector<std::string> complaints = set.complaints();
 	if (!complaints.empty()) failUsage(complaints.front());
-	RemeshOptions options     = set.options();
-	options.maxErrorIsPercent = percent;
-	return options;
+	return set.options();
 }
 
 RemeshOptions optionsOfText(const std::string& text)

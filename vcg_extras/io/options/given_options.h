@@ -6,6 +6,7 @@
 #include <vcg_extras/core/parameters.h>
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace gpr::app {
@@ -25,6 +26,9 @@ const char* kindName(ParameterKind kind);
 
 /// Whether an option chooses the size of the result; "off" chooses none.
 bool choosesSize(const Parameter& row, const std::string& word);
+
+/// The value of a length with a percent sign, such as "0.2%"; none for another word.
+std::optional<ParameterValue> percentOf(const Parameter& p, const std::string& word);
 
 /// The engine's options from the given options; all other options keep their defaults. Throws
 /// AppError (Usage) for values of the wrong kind or out of range, and for more than one size.

@@ -28,11 +28,8 @@ ExitCode exitCodeOf(Status status)
 
 std::string sentenceOf(const RemeshResult& result)
 {
-	if (result.message.empty()) return "the remeshing failed, for a reason it did not tell.";
-	const std::string smallest = std::to_string(result.smallestVertexNum);
-	const bool        named    = result.message.find(smallest) != std::string::npos;
-	if (result.status != Status::CountTooSmall || named) return result.message;
-	return result.message + " The smallest possible number is " + smallest + ".";
+	if (result.message.empty()) return "the remeshing failed without a sentence.";
+	return result.message;
 }
 
 void requireMesh(const RemeshResult& result)

@@ -69,7 +69,7 @@ Json optionsJson(const RemeshOptions& o)
 		json["percent"] = o.targetPercent;
 		break;
 	case TargetMode::EdgeLength:
-		json["edgeLength"] = o.targetEdgeLen;
+		json[o.edgeLenIsPercent ? "edgeLengthPercent" : "edgeLength"] = o.targetEdgeLen;
 		break;
 	case TargetMode::MaxError:
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
@@ -80,15 +80,15 @@ Json optionsJson(const RemeshOptions& o)
 		json["detail"] = choiceName("Detail", o.targetDetail);
 		break;
 	}
-	json["preset"]   = choiceName("Preset", o.preset);
-	json["relax"]    = o.umbrellaSteps;
-	json["flips"]    = o.flipPasses;
-	json["lambda"]   = o.lambda;
-	json["adapt"]    = o.adapt ? Json(*o.adapt) : Json("auto");
-	json["minEdge"]  = o.minEdge;
-	json["maxEdge"]  = o.maxEdge;
-	json["growth"]   = o.growth;
-	json["boundary"] = choiceName("Boundary", o.boundary);
+	json["preset"] = choiceName("Preset", o.preset);
+	json["relax"]  = o.umbrellaSteps;
+	json["flips"]  = o.flipPasses;
+	json["lambda"] = o.lambda;
+	json["adapt"]  = o.adapt ? Json(*o.adapt) : Json("auto");
+	json[o.minEdgeIsPercent ? "minEdgePercent" : "minEdge"] = o.minEdge;
+	json[o.maxEdgeIsPercent ? "maxEdgePercent" : "maxEdge"] = o.maxEdge;
+	json["growth"]                                          = o.growth;
+	json["boundary"]                                        = choiceName("Boundary", o.boundary);
 	if (isPeriodic(o)) json["period"] = {o.period.x, o.period.y, o.period.z};
 	json["junctions"]           = choiceName("Junctions", o.junctions);
 	json["symmetry"]            = choiceName("Symmetry", o.symmetry);
@@ -181,6 +181,7 @@ Json borderJson(const BorderFigures& b)
 Json countsJson(const RemeshReport& r)
 {
 	return {{"targetVertices", r.targetVertexNum},
+			{"regularVertices", r.regularVertexNum},
 			{"samples", r.sampleNum},
 			{"boundarySamples", r.boundarySampleNum},
 			{"featureEdges", r.featureEdgeNum},
@@ -261,14 +262,35 @@ std::string levelsReportJson(const std::vector<RunRecord>& levels)
 	return textOf(json);
 }
 
-std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes)
+namespace {
+
+Json regionsJson(const std::vector<MeshParts::Region>& regions)
+{
+	Json list = Json::array();
+	for (const MeshParts::Region& region : regions) {
+		Json json;
+		json["label"]  = region.label;
+		json["name"]   = region.name;
+		json["faces"]  = region.faces;
+		json["pieces"] = region.pieces;
+		json["area"]   = region.area;
+		list.push_back(std::move(json));
+	}
+	return list;
+}
+
+} // namespace
+
+std::string meshInfoJson(const MeshInfo& info)
 {
 	Json json;
-	json["program"] = programJson();
-	json["input"]   = fileJson(path, doublePrecision, figures);
-	json["quality"] = qualityJson(quality);
-	json["notes"]   = notes;
+	json["program"]             = programJson();
+	json["input"]               = fileJson(info.path, info.doublePrecision, info.figures);
+	json["quality"]             = qualityJson(info.quality);
+	json["regions"]             = regionsJson(info.parts.regions);
+	json["junctions"]["edges"]  = info.parts.junctionEdges;
+	json["junctions"]["length"] = info.parts.junctionLength;
+	json["notes"]               = info.notes;
 	return textOf(json);
 }
 

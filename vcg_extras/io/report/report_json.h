@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/base/stopwatch.h>
+#include <vcg_extras/io/report/mesh_parts.h>
 
 #include <string>
 #include <vector>
@@ -37,9 +38,18 @@ std::string remeshReportJson(const RunRecord& run);
 /// The same for several results of one input: "levels" holds a report each.
 std::string levelsReportJson(const std::vector<RunRecord>& levels);
 
+/// All that `gpremesh info` tells of a mesh.
+struct MeshInfo {
+	std::string              path;
+	bool                     doublePrecision = false;
+	MeshFigures              figures;
+	QualityFigures           quality;
+	MeshParts                parts;
+	std::vector<std::string> notes;
+};
+
 /// The figures of one mesh as JSON text.
-std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes);
+std::string meshInfoJson(const MeshInfo& info);
 
 } // namespace gpr::app
 

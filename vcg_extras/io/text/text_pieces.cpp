@@ -71,7 +71,8 @@ std::string_view TextPieces::next()
 	pieceEnd_ = endOfWholeLines({buffer_.data(), filled_});
 	while (pieceEnd_ == 0 && unread_ > 0) {
 		if (buffer_.size() >= longestLineBytes)
-			failInput("line " + std::to_string(linesBefore_ + 1) + ": it is longer than 64 MB");
+			failInput("line " + std::to_string(linesBefore_ + 1) +
+					  ": the line is longer than 64 MB");
 		buffer_.resize(2 * buffer_.size());
 		fill();
 		pieceEnd_ = endOfWholeLines({buffer_.data(), filled_});

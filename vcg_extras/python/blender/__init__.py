@@ -5,9 +5,56 @@
 import threading
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
+import numpy as np
+from bpy.props import (BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty,
+                       StringProperty)
+from gpremesh import _core
 
 from . import mesh_data
+
+TABLE = _core.parameters("remesh")
+# The parameter that gives the size, by the choice of the field Size.
+SIZES = {"PERCENT": "percent", "COUNT": "vertex_count", "FACES": "face_count", "LENGTH": "edge_length",
+         "ERROR": "max_error", "DETAIL": "detail"}
+# What the fields of a size show at first; the table has no defaults for sizes.
+PROPOSED = {"percent": 10, "vertex_count": 5000, "face_count": 10000, "edge_length": 0.1, "max_error": 0.01,
+            "detail": "normal"}
+AUTOMATIC = -1  # Blender's numbers have no word for it; MeshLab's filter takes the same
+LARGEST = 3.4e38  # of Blender's numbers
+
+
+def property_of(entry):
+    """The field for a row of the engine's parameter table."""
+    default = PROPOSED[entry["name"]] if entry["is_size"] else entry["default"]
+    name, about = entry["label"].replace(" (0 = off)", ""), entry["about"].rstrip(".")
+    if entry["name"] == "features":
+        about += ". The selected edges are the edges that are marked sharp"
+    if entry["kind"] == "switch":
+        return BoolProperty(name=name, description=about, default=default)
+    if entry["kind"] == "choice":
+        # No field selects a feature region, and no size is off.
+        left_out = {"feature_region": "selection", "detail": "off"}.get(entry["name"])
+        items = [(choice, choice.capitalize(), "") for choice in entry["choices"] if choice != left_out]
+        return EnumProperty(name=name, description=about, default=default, items=items)
+    least, most = entry["minimum"], min(entry["maximum"], LARGEST)
+    if entry["kind"] == "count":
+        return IntProperty(name=name, description=about, default=default, min=int(least), max=int(most))
+    if default == "auto":
+        return FloatProperty(name=f"{name} ({AUTOMATIC} = auto)", description=about, default=AUTOMATIC, min=AUTOMATIC, max=most)
+    unit = {"subtype": "DISTANCE"} if entry["kind"] == "length" else {}
+    return FloatProperty(name=name, description=about, default=default, min=least, max=most, **unit)
+
+
+def typed(number):
+    """The number that a user meant whose digits Blender keeps as a float of 32 bits."""
+    return float(str(np.float32(number)))
+
+
+def value_of(entry, value):
+    """A value of a field as the engine takes it."""
+    if not isinstance(value, float):
+        return value
+    return "auto" if entry["default"] == "auto" and value == AUTOMATIC else typed(value)
 
 
 class Run(threading.Thread):
@@ -46,32 +93,25 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         items=[("PERCENT", "Percent of the vertices", "Of those that the mesh has now"),
                ("COUNT", "Vertices", "A number of vertices"),
                ("FACES", "Triangles", "A number of triangles, even for a closed surface"),
-               ("LENGTH", "Edge length", "The mean length of the edges, in units of the scene")])
-    percent: FloatProperty(name="Percent", default=10, min=0.01, max=1000, subtype="PERCENTAGE",
-                           description="Vertices of the result, in percent of those of the mesh")
-    vertex_count: IntProperty(name="Vertices", default=5000, min=4, soft_max=1000000,
-                              description="Vertices of the result")
-    face_count: IntProperty(name="Triangles", default=10000, min=4, soft_max=2000000,
-                            description="Triangles of the result")
-    edge_length: FloatProperty(name="Edge Length", default=0.1, min=1e-6, subtype="DISTANCE",
-                               description="Mean length of the edges of the result")
-    adapt: FloatProperty(name="Adapt", default=0.1, min=0, max=1,
-                         description="How much smaller triangles are where the surface is finer: 0 not, 1 for the least error")
-    preset: EnumProperty(
-        name="Preset", default="default", description="How much is done for the quality",
-        items=[("default", "Default", "Regular triangles that fit the surface"),
-               ("fast", "Fast", "A third of the time: neither fitted nor made as regular"),
-               ("paper", "Paper", "The method as it was published")])
-    features: EnumProperty(
-        name="Sharp Edges", default="auto", description="Which edges stay",
-        items=[("auto", "Find", "Creases are found and kept"), ("off", "None", "Creases are rounded")])
-    boundary: EnumProperty(
-        name="Border", default="resample", description="What happens at borders of an open surface",
-        items=[("resample", "Follow", "The border is followed by new edges"),
-               ("keep", "Keep", "The border stays as it is"),
-               ("smooth", "Smooth", "The border is made smooth")])
-    seed: IntProperty(name="Seed", default=1, min=1, description="Another seed gives another mesh of the same quality")
+               ("LENGTH", "Edge length", "The mean length of the edges, in units of the scene"),
+               ("ERROR", "Largest error", "The largest distance from the mesh, which is proven"),
+               ("DETAIL", "Detail", "As many vertices as the distance from the mesh needs, by a forecast"),
+               ("SIZES", "As the sizes say", "The lengths that the attribute of Sizes holds, as they are")])
+    regions: StringProperty(
+        name="Regions", default="material_index",
+        description="Attribute of faces in whole numbers. New edges follow the borders between its values. "
+                    "material_index is the number of the material; with nothing here no border is followed")
+    sizes: StringProperty(
+        name="Sizes", description="Attribute of vertices with the edge lengths that are wanted there, or a vertex group: "
+                                  "where its weight is 1, edges have the share Finest of the length where it is 0")
+    finest: FloatProperty(name="Finest", default=0.25, min=0.02, max=1,
+                          description="Length of edges at the weight 1 of the vertex group, over the length at the weight 0")
+    periodic: FloatVectorProperty(
+        name="Periodic Cell", size=3, min=0, subtype="XYZ_LENGTH",
+        description="Lengths of a periodic cell in units of the scene, 0 along an axis without a period. Vertices at "
+                    "opposite borders match")
     as_copy: BoolProperty(name="As Copy", default=False, description="Leave the object as it is and put the result beside it")
+    advanced: BoolProperty(name="More", default=False, description="Show the rest of the parameters")
 
     _run = None
     _timer = None
@@ -85,25 +125,35 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.prop(self, "size")
-        layout.prop(self, {"PERCENT": "percent", "COUNT": "vertex_count", "FACES": "face_count",
-                           "LENGTH": "edge_length"}[self.size])
-        for name in ("adapt", "preset", "features", "boundary", "seed", "as_copy"):
+        if self.size in SIZES:
+            layout.prop(self, SIZES[self.size])
+        for entry in TABLE:
+            if not entry["expert"] and not entry["is_size"]:
+                layout.prop(self, entry["name"])
+        for name in ("regions", "sizes", "finest", "periodic", "as_copy", "advanced"):
             layout.prop(self, name)
+        for entry in TABLE:
+            if self.advanced and entry["expert"] and not entry["is_size"]:
+                layout.prop(self, entry["name"])
 
     def parameters(self):
-        size = {"PERCENT": ("percent", self.percent), "COUNT": ("vertex_count", self.vertex_count),
-                "FACES": ("face_count", self.face_count),
-                "LENGTH": ("edge_length", self.edge_length)}[self.size]
-        parameters = {size[0]: size[1], "preset": self.preset, "features": self.features,
-                      "boundary": self.boundary, "seed": self.seed}
-        if self.preset == "default":  # the others have an adaptivity of their own
-            parameters["adapt"] = self.adapt
+        """The arguments of gpremesh.remesh: the size, and the values that are no defaults."""
+        given = {entry["name"]: value_of(entry, getattr(self, entry["name"])) for entry in TABLE if not entry["is_size"]}
+        parameters = {entry["name"]: given[entry["name"]] for entry in TABLE
+                      if not entry["is_size"] and given[entry["name"]] != entry["default"]}
+        if self.size in SIZES:
+            entry = next(entry for entry in TABLE if entry["name"] == SIZES[self.size])
+            parameters[entry["name"]] = value_of(entry, getattr(self, entry["name"]))
+        if any(self.periodic):
+            parameters["periodic"] = tuple(typed(length) for length in self.periodic)
         return parameters
 
     def begin(self, context):
         """The run, before its start; None and a message for an unusable mesh."""
         try:
-            return Run(mesh_data.take(context.object), self.parameters())
+            taken = mesh_data.take(context.object)
+            marks = taken.marks(self.regions, self.sizes, typed(self.finest), self.size == "SIZES", self.features)
+            return Run(taken, {**marks, **self.parameters()})
         except ValueError as error:
             self.report({"ERROR"}, str(error))
             return None
@@ -166,6 +216,9 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         self._run.is_cancelled = True
         self._run.join()
         self.stop_showing(context)
+
+
+OBJECT_OT_gpremesh.__annotations__.update({entry["name"]: property_of(entry) for entry in TABLE})
 
 
 def draw_entry(menu, context):

@@ -17,6 +17,7 @@ TYPES = {
     "FLOAT_COLOR": (4, "color", np.float32),
     "BYTE_COLOR": (4, "color", np.float32),  # foreach_get reads numbers from 0 to 1
 }
+FIELDS = {"face": "faces with one value each", "vertex": "vertices with one value each"}
 # Made anew with the mesh, or the shape of what is no more.
 OWN = {"position", "material_index", "custom_normal", "sharp_edge"}
 
@@ -50,7 +51,7 @@ class TakenMesh:
     """A mesh for gpremesh, and the values to transfer to the result. Coordinates have the scale of the object, so
     that triangles are regular in the scene."""
 
-    def __init__(self, mesh, scale):
+    def __init__(self, mesh, scale, group_names):
         mesh.calc_loop_triangles()
         triangles = mesh.loop_triangles
         self.notes = []
@@ -63,6 +64,8 @@ class TakenMesh:
         self.uv_name, self.uv = self._take_uv(mesh)
         self.columns = [column for attribute in mesh.attributes for column in self._column(mesh, attribute)]
         self.groups = self._take_groups(mesh)
+        self.group_names = {group.name: group.index for group in group_names}
+        self.sharp_edges = self._take_sharp_edges(mesh)
 
     def _take_uv(self, mesh):
         layer = mesh.uv_layers.active
@@ -102,25 +105,52 @@ class TakenMesh:
                 column[vertex.index] = element.weight
         return weights
 
-    def _material_edges(self):
-        """Edges between faces of different materials."""
-        halves = np.concatenate([self.faces[:, [k, (k + 1) % 3]] for k in range(3)])
-        materials = np.tile(self.materials, 3)
-        halves.sort(axis=1)
-        order = np.lexsort((halves[:, 1], halves[:, 0]))
-        first, second = order[:-1], order[1:]
-        differ = (halves[first] == halves[second]).all(axis=1) & (materials[first] != materials[second])
-        return halves[first[differ]]
+    def _take_sharp_edges(self, mesh):
+        sharp = mesh.attributes.get("sharp_edge")
+        if sharp is None:
+            return np.zeros((0, 2), np.int32)
+        return numbers(mesh.edges, "vertices", 2, np.int32)[numbers(sharp.data, "value", 1, bool)]
+
+    def _column_named(self, name, of, field):
+        for column in self.columns:
+            if column.name == name and column.of == of and column.values.ndim == 1:
+                return column.values
+        raise ValueError(f"{field} names {name}, but there is no such attribute of {FIELDS[of]}.")
+
+    def _regions(self, name):
+        values = self.materials if name == "material_index" else self._column_named(name, "face", "Regions")
+        if values.dtype.kind == "f" and (values != np.floor(values)).any():
+            raise ValueError(f"Regions names {name}, whose values are no whole numbers.")
+        return values.astype(np.int32)
+
+    def _sizes(self, name, finest, are_exact):
+        if name not in self.group_names:
+            return self._column_named(name, "vertex", "Sizes")
+        if are_exact:
+            raise ValueError("A vertex group has shares of a length and no lengths; give the size in another way.")
+        weights = self.groups.get(self.group_names[name], np.zeros(len(self.vertices), np.float32))
+        return finest ** weights.astype(np.float64)
+
+    def marks(self, regions, sizes, finest, are_exact, features):
+        """The arguments of gpremesh.remesh that attributes and vertex groups give. Names are empty where there is
+        none. A ValueError says which one is not there."""
+        marks = {}
+        if regions:
+            marks["regions"] = self._regions(regions)
+        if sizes:
+            marks["sizes"] = self._sizes(sizes, finest, are_exact)
+        elif are_exact:
+            raise ValueError("The size shall be as the sizes say, but Sizes names no attribute.")
+        if features == "selected":
+            if not len(self.sharp_edges):
+                raise ValueError("Feature lines shall be the edges that are marked sharp, but none is.")
+            marks["feature_edges"] = self.sharp_edges
+        return marks
 
     def remesh(self, progress, **parameters):
-        """Edges of the result follow the seams of the texture and the borders between materials."""
-        extra = {}
-        if self.uv is not None:
-            extra = {"uv": self.uv, "image": self.materials}
-        elif len(np.unique(self.materials)) > 1:
-            extra = {"feature_edges": self._material_edges()}
-            parameters["features"] = "selected" if parameters["features"] == "off" else parameters["features"]
-        return gpremesh.remesh(self.vertices, self.faces, progress=progress, **extra, **parameters)
+        """Edges of the result follow the seams of the texture."""
+        texture = {} if self.uv is None else {"uv": self.uv, "image": self.materials}
+        return gpremesh.remesh(self.vertices, self.faces, progress=progress, **texture, **parameters)
 
     def put(self, result, active):
         """Replaces the mesh of the object by the result. Materials stay."""
@@ -165,7 +195,7 @@ def take(active):
     scale = np.abs(np.array(active.matrix_world.to_scale(), np.float32))
     if not scale.min() > 0:
         raise ValueError("The object is scaled to nothing.")
-    return TakenMesh(mesh, scale)
+    return TakenMesh(mesh, scale, active.vertex_groups)
 
 
 def copy_beside(context, active):

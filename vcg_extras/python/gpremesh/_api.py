@@ -196,13 +196,13 @@ def remesh_together(pieces, *, progress=None, **parameters):
     pieces = [dict(zip(("vertices", "faces"), p, strict=True)) if not isinstance(p, dict) else dict(p)
               for p in pieces]
     if not pieces:
-        raise ValueError("pieces must have one mesh at least.")
+        raise ValueError("pieces must have at least one mesh.")
     unknown = {name for piece in pieces for name in piece} - {
         "vertices", "faces", "region", "feature_edges", "uv", "image", "regions", "sizes"}
     if unknown:
         raise ValueError(f"pieces have no {' and no '.join(sorted(unknown))}.")
     if parameters.get("sew") is False:
-        raise ValueError("sew=False is not for several meshes, which are joined where borders coincide.")
+        raise ValueError("sew=False is not possible for several meshes, which are joined along coinciding borders.")
     if len({piece.get("sizes") is None for piece in pieces}) > 1:
         raise ValueError("sizes must be given for all meshes, or for none.")
     if any(piece.get(name) is None for piece in pieces for name in ("vertices", "faces")):

@@ -67,8 +67,8 @@ def mask(name, values, length, what):
         return None
     array = _array(name, values)
     if array.dtype != bool or array.shape != (length,):
-        raise ValueError(f"{name} must be a mask, one bool for each of the {length} {what}; "
-                         f"it has the shape {array.shape} and holds {array.dtype}.")
+        raise ValueError(f"{name} must be a mask with a bool for each of the {length} {what}, "
+                         f"not an array of shape {array.shape} and type {array.dtype}.")
     return _in_order(array, bool).view(np.uint8)
 
 
@@ -78,8 +78,8 @@ def lengths(name, values, length):
         return None
     array = _array(name, values)
     if array.shape != (length,) or array.dtype.kind not in "fiu":
-        raise ValueError(f"{name} must be numbers, one for each of the {length} vertices; "
-                         f"it has the shape {array.shape} and holds {array.dtype}.")
+        raise ValueError(f"{name} must have a number for each of the {length} vertices, "
+                         f"not an array of shape {array.shape} and type {array.dtype}.")
     return _in_order(array, np.float32)
 
 
@@ -89,7 +89,7 @@ def period(name, values):
         return []
     array = _array(name, values)
     if array.shape != (3,) or array.dtype.kind not in "fiu" or not (array > 0).any():
-        raise ValueError(f"{name} must be three lengths, one of them above 0 at least.")
+        raise ValueError(f"{name} must be three lengths, at least one length above 0.")
     return [float(length) for length in array]
 
 

@@ -37,14 +37,22 @@ def _last(option):
     return option.split(",")[-1]
 
 
-def _parser(texts):
-    parser = _Parser("gpremesh remesh", description=texts["description"], epilog=_EPILOG, allow_abbrev=False,
+def _parser(texts, shows_all):
+    """A parser whose help has the everyday options, or all options in groups."""
+    more = "" if shows_all else "'gpremesh remesh --help-all' lists all options, in groups.\n"
+    parser = _Parser("gpremesh remesh", usage="gpremesh remesh [OPTIONS] IN [OUT]", description=texts["description"],
+                     epilog=more + _EPILOG, allow_abbrev=False, add_help=False,
                      formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("files", nargs="*", metavar="IN [OUT]", help=f"IN: {texts['in']}\nOUT: {texts['out']}")
+    groups = {texts["everyday"]: parser.add_argument_group(texts["everyday"])}
+    groups[texts["everyday"]].add_argument("-h", "--help", action="help", help="Show the everyday options and exit")
+    groups[texts["everyday"]].add_argument("--help-all", action="help", help="Show all options and exit")
     for row in texts["options"]:
         takes = {"metavar": row["argument"]} if row["argument"] else {"nargs": 0}
-        parser.add_argument(*row["option"].split(","), dest=row["option"], action=_Keep, default=argparse.SUPPRESS,
-                            help=row["help"].replace("%", "%%"), **takes)
+        group = groups.get(row["group"]) or groups.setdefault(row["group"], parser.add_argument_group(row["group"]))
+        is_shown = shows_all or row["group"] == texts["everyday"]
+        group.add_argument(*row["option"].split(","), dest=row["option"], action=_Keep, default=argparse.SUPPRESS,
+                           help=row["help"].replace("%", "%%") if is_shown else argparse.SUPPRESS, **takes)
     return parser
 
 
@@ -63,7 +71,7 @@ def _joined(words, texts):
 def _remesh(words):
     texts = _core.remesh_command_texts()
     namespace = argparse.Namespace(given={})
-    found, others = _parser(texts).parse_known_intermixed_args(_joined(words, texts), namespace)
+    found, others = _parser(texts, "--help-all" in words).parse_known_intermixed_args(_joined(words, texts), namespace)
     if others:
         raise _UsageError(f"The following argument was not expected: {others[0]}")
     return _core.run_remesh_command(found.files, found.given)
@@ -71,19 +79,20 @@ def _remesh(words):
 
 def _overview():
     return (f"Remeshes triangle meshes by geodesic Poisson-disk sampling.\nUsage: gpremesh remesh [OPTIONS] IN [OUT]\n\n"
-            f"{_EPILOG}\n'gpremesh remesh --help' tells the options. {_without_program()}")
+            f"{_EPILOG}\n'gpremesh remesh --help' lists the everyday options, 'gpremesh remesh --help-all' all options.\n"
+            f"{_without_program()}")
 
 
 def _without_program():
     others = ", ".join(name for name in _core.command_names() if name != "remesh")
-    return (f"The commands {others} are those of the program, and this package was built without it, "
-            "because CLI11 (libcli11-dev on Debian) was missing.")
+    return (f"The commands {others} are missing: this package was built without the program, because CLI11 (libcli11-dev "
+            "on Debian) was missing.")
 
 
 def run(words):
     """Runs a command line and returns the exit code."""
     words = _core.with_command(words)
-    if words and words[0] in ("-h", "--help"):
+    if words and words[0] in ("-h", "--help", "--help-all"):
         print(_overview())
         return 0
     if words and words[0] == "--version":

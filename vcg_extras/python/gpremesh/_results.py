@@ -135,7 +135,7 @@ class RemeshResult:
             raise ValueError(f"of takes 'vertex' or 'face', not {of!r}.")
         array = np.asarray(values)
         if array.ndim == 0 or len(array) != self._input_sizes[of]:
-            raise ValueError(f"values must have {self._input_sizes[of]} rows, one for each {of} of the "
+            raise ValueError(f"values must have {self._input_sizes[of]} rows, a row for each {of} of the "
                              f"input; its shape is {array.shape}.")
         if of == "face":
             return array[self.middle_face_index]

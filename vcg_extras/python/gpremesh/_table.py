@@ -18,7 +18,7 @@ def type_of(entry):
         plain = _TYPES[entry["kind"]]
         if entry["default"] == "auto":
             return typing.Union[plain, typing.Literal["auto"]]
-        return typing.Union[plain, str] if entry["name"] == "max_error" else plain
+        return typing.Union[plain, str] if entry["kind"] == "length" else plain
     return typing.Literal[tuple(entry["choices"])]
 
 

@@ -225,7 +225,7 @@ class FetchedFiles:
         partial = path.with_name(f"{path.name}.part{uuid.uuid4().hex}")
         try:
             if not fetch_file(url, partial):
-                raise StepFailed(f"cannot fetch {url}: it is not there")
+                raise StepFailed(f"cannot fetch {url}: the file is missing")
             partial.replace(path)
             yield str(path)
         finally:
@@ -346,8 +346,8 @@ def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
 
     return "\n".join([
         "#!/bin/bash",
-        "# Gives the steps of a run in tiles to Slurm. Run it again after a failure: steps that were done are not",
-        "# done again.",
+        "# Gives the steps of a run in tiles to Slurm. Run this script again after a failure: finished steps are not",
+        "# repeated.",
         "set -euo pipefail",
         job("split", command(SPLIT_CALL)),
         job("part", f'{command(PART_CALL)} "$SLURM_ARRAY_TASK_ID"{part_options}',
@@ -365,31 +365,31 @@ def _write_slurm_script(run: TileRun) -> None:
     plan = json.loads((folder / "plan.json").read_text())
     script = folder / "slurm.sh"
     script.write_text(slurm_script(run, tile_num, plan["memoryBytes"]))
-    print(f"Run 'bash {shlex.quote(str(script))}' where sbatch is.")
+    print(f"Run 'bash {shlex.quote(str(script))}' on a machine with sbatch.")
 
 
 def _arguments(words):
     parser = argparse.ArgumentParser(prog="gpremesh-cluster", description=__doc__.splitlines()[0],
-                                     epilog="All other options are those of gpremesh remesh.")
+                                     epilog="All other options are options of gpremesh remesh.")
     parser.add_argument("action", choices=["run", "slurm"],
                         help="run: by Dask; slurm: write DIR/slurm.sh, which gives the steps to Slurm")
     parser.add_argument("inputs", nargs="+", metavar="input",
                         help="PLY, OBJ, OFF or binary STL files, pieces of one surface; paths or URLs of fsspec")
     parser.add_argument("output", help="a path or a URL")
     parser.add_argument("--folder", required=True, metavar="DIR",
-                        help="of the run: a path that all machines see, or a URL")
-    parser.add_argument("--memory", help="of each step at most, such as 8G")
+                        help="folder of the run: a path that all machines see, or a URL")
+    parser.add_argument("--memory", help="most memory of each step, such as 8G")
     parser.add_argument("--tiles", type=int, help="number of tiles, in place of --memory")
-    parser.add_argument("--program", help="gpremesh; that of this package by default")
+    parser.add_argument("--program", help="path of gpremesh; by default the program of this package")
     parser.add_argument("--scratch", default=tempfile.gettempdir(), metavar="DIR",
-                        help="with URLs: where each machine puts the files of a step; %(default)s by default")
+                        help="with URLs: folder of each machine for the files of a step; %(default)s by default")
     parser.add_argument("--threads", type=int, metavar="T",
-                        help="that condense a tile; by default one for each core of the machine, which the workers "
+                        help="threads to condense a tile; by default all cores of the machine, which the workers "
                              "of --local share")
     workers = parser.add_mutually_exclusive_group()
     workers.add_argument("--local", type=int, metavar="N", help="N workers on this machine; 1 by default")
     workers.add_argument("--ssh", metavar="HOST,HOST",
-                         help="a worker on each host, by ssh; the first host has the scheduler, too")
+                         help="a worker on each host, by ssh; the first host also runs the scheduler")
     workers.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://host:8786")
     return parser.parse_known_args(words)  # the rest are options of gpremesh remesh
 

@@ -6,7 +6,7 @@ Importing this imports PyVista."""
 import numpy as np
 import pyvista
 
-from . import _api
+from . import _api, _regions
 
 
 def _unit(normals):
@@ -34,7 +34,7 @@ class Accessor:
     def __init__(self, mesh):
         self._mesh = mesh
 
-    def remesh(self, vertex_count=None, **parameters):
+    def remesh(self, vertex_count=None, *, regions=None, **parameters):
         """Remeshes the surface, with its point and cell data.
 
         Parameters
@@ -42,6 +42,11 @@ class Accessor:
         vertex_count : int, optional
             How many points the result has. Along the seams of a texture there are copies beyond that,
             as PyVista has one texture coordinate for each point.
+        regions : str or array_like of int, optional
+            What tells the regions of the cells: the name of cell data, an array of labels for the
+            polygons, or "off". If not given: cell data whose names tell regions, as "region", "label",
+            "material" and "CellEntityIds", combined. Edges of the result follow the borders between
+            regions. Labels that were given as an array are the cell data "region" of the result.
         **parameters
             As for `gpremesh.remesh`, without `uv`, which is the active texture coordinates.
 
@@ -59,14 +64,18 @@ class Accessor:
         mesh = self._mesh
         texture = mesh.active_texture_coordinates
         result = _api.remesh(np.asarray(mesh.points), _faces(mesh), vertex_count=vertex_count,
-                             uv=None if texture is None else np.asarray(texture)[:, :2], **parameters)
+                             uv=None if texture is None else np.asarray(texture)[:, :2],
+                             regions=_regions.find(self._cell_data(), regions), **parameters)
         vertices, faces, vertex_index, uv = result.vertices, result.faces, slice(None), None
         if texture is not None:
             vertex_index, faces, uv = result.split_at_seams()
             vertices = vertices[vertex_index]
         remeshed = pyvista.PolyData.from_regular_faces(vertices, faces)
         self._carry_point_data(result, vertex_index, remeshed)
-        self._carry_cell_data(result, remeshed)
+        for name, values in self._cell_data().items():
+            remeshed.cell_data[name] = result.transfer(values, "face")
+        if _regions.is_array(regions):
+            remeshed.cell_data["region"] = result.regions
         remeshed.field_data.update(mesh.field_data)
         if uv is not None:
             remeshed.active_texture_coordinates = uv
@@ -86,12 +95,11 @@ class Accessor:
         if data.active_normals_name in remeshed.point_data:
             remeshed.point_data.active_normals_name = data.active_normals_name
 
-    def _carry_cell_data(self, result, remeshed):
+    def _cell_data(self):
+        """What the polygons have beside normals."""
         data = self._mesh.cell_data
         first = self._mesh.n_verts + self._mesh.n_lines  # cells of points and lines come before faces
-        for name in data.keys():
-            if name != data.active_normals_name:
-                remeshed.cell_data[name] = result.transfer(np.asarray(data[name])[first:], "face")
+        return {name: np.asarray(data[name])[first:] for name in data.keys() if name != data.active_normals_name}
 
     def sample(self, count=None, **parameters):
         """Spreads points evenly over the surface.

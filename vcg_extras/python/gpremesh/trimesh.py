@@ -6,7 +6,7 @@ import copy
 
 import trimesh
 
-from . import _api
+from . import _api, _regions
 
 
 def _attributes(result, of, attributes, vertex_index=None):
@@ -22,6 +22,17 @@ def _texture(mesh):
     return uv if uv is not None and len(uv) == len(mesh.vertices) else None
 
 
+def _materials(mesh):
+    """The number of the material of each face, or None."""
+    materials = getattr(mesh.visual, "face_materials", None) if mesh.visual.kind == "texture" else None
+    return materials if materials is not None and len(materials) == len(mesh.faces) else None
+
+
+def _columns_of_faces(mesh):
+    materials = _materials(mesh)
+    return {**mesh.face_attributes, **({} if materials is None else {"material": materials})}
+
+
 def _carry_colours(mesh, result, remeshed):
     if mesh.visual.kind == "vertex":
         remeshed.visual.vertex_colors = result.transfer(mesh.visual.vertex_colors, "vertex")
@@ -30,7 +41,7 @@ def _carry_colours(mesh, result, remeshed):
 
 
 def _carry_texture(mesh, result, remeshed, uv):
-    materials = mesh.visual.face_materials
+    materials = _materials(mesh)
     remeshed.visual = trimesh.visual.TextureVisuals(
         uv=uv,
         material=copy.deepcopy(mesh.visual.material),
@@ -38,7 +49,7 @@ def _carry_texture(mesh, result, remeshed, uv):
     )
 
 
-def remesh(mesh, vertex_count=None, **parameters):
+def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     """Remeshes a mesh of trimesh, with its colours, texture and attributes.
 
     Parameters
@@ -48,6 +59,12 @@ def remesh(mesh, vertex_count=None, **parameters):
     vertex_count : int, optional
         How many vertices the result has. Along the seams of a texture there are copies beyond that, as
         trimesh has one texture coordinate for each vertex.
+    regions : str or array_like of int, optional
+        What tells the regions of the faces: the name of an attribute of faces, "material" for the
+        materials of a texture, an array of labels, or "off". If not given: these materials, and
+        attributes whose names tell regions, as "region", "label" and "group", combined. Edges of the
+        result follow the borders between regions. Labels that were given as an array are the face
+        attribute "region" of the result.
     **parameters
         As for `gpremesh.remesh`, without `uv`, which comes from the mesh.
 
@@ -63,7 +80,8 @@ def remesh(mesh, vertex_count=None, **parameters):
         As `gpremesh.remesh`.
     """
     texture = _texture(mesh)
-    result = _api.remesh(mesh.vertices, mesh.faces, vertex_count=vertex_count, uv=texture, **parameters)
+    result = _api.remesh(mesh.vertices, mesh.faces, vertex_count=vertex_count, uv=texture,
+                         regions=_regions.find(_columns_of_faces(mesh), regions), **parameters)
     vertices, faces, vertex_index, uv = result.vertices, result.faces, None, None
     if texture is not None:
         vertex_index, faces, uv = result.split_at_seams()
@@ -72,6 +90,8 @@ def remesh(mesh, vertex_count=None, **parameters):
         vertices=vertices, faces=faces, process=False, metadata=copy.deepcopy(mesh.metadata),
         vertex_attributes=_attributes(result, "vertex", mesh.vertex_attributes, vertex_index),
         face_attributes=_attributes(result, "face", mesh.face_attributes))
+    if _regions.is_array(regions):
+        remeshed.face_attributes["region"] = result.regions
     if texture is None:
         _carry_colours(mesh, result, remeshed)
     else:

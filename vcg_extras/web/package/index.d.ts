@@ -27,9 +27,9 @@ export class GpremeshError extends Error {
 	code: number;
 }
 
-/** Remeshes a surface to nearly equilateral triangles, in a worker with one thread. The input is copied and stays as
- * it is; the result has its precision. 10 % of the vertices are made where no size is given. The result has the bytes
- * of the program's. */
+/** Remeshes a surface to nearly equilateral triangles, in a worker, which has threads in pages that are isolated from
+ * others (crossOriginIsolated), else one thread. The input is copied and stays as it is; the result has its precision.
+ * 10 % of the vertices are made where no size is given. The result has the bytes of the program's. */
 export function remesh<Coordinates extends Float32Array | Float64Array>(
 	mesh: Mesh<Coordinates>, options?: Options, run?: Run,
 ): Promise<{ vertices: Coordinates; faces: Uint32Array; report: Report }>;

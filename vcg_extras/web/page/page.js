@@ -38,10 +38,16 @@ function tellFailure(error) {
 	if (error.name !== "AbortError") tell(error.message.replace(/^./, (c) => c.toUpperCase()), true);
 }
 
-// Which engines work, and what they have of memory.
+// The number of working threads, and the memory of the engines.
 function tellEngines() {
 	const megabytes = Math.round((drafts.memory + results.memory) / 1e6);
 	$("engine").textContent = `${threadNum > 1 ? threadNum + " threads work" : "One thread works"}, with ${megabytes} MB of memory.`;
+}
+
+// For scripts/measure/page_times: one entry of this name in the browser's own record of times.
+function record(name, start) {
+	performance.clearMeasures(name);
+	performance.measure(name, { start });
 }
 
 function showProgress(share, phrase) {
@@ -193,7 +199,7 @@ function showNotes(notes) {
 
 async function draft() {
 	if (isDrafting || draftWanted === null || !mesh.hasDrafts) return;
-	const { text, of } = draftWanted, start = performance.now();
+	const { text, of, since } = draftWanted;
 	draftWanted = null;
 	isDrafting = true;
 	try {
@@ -202,7 +208,8 @@ async function draft() {
 		const shown = await drafts.call("shown", { key: "result", name: "gpremesh, draft" });
 		if (finished < of && of <= change) {
 			viewer.put(shown);
-			if (running === null) tell(`Draft of ${grouped(shown.faces)} faces after ${seconds(start)}.`);
+			record("draft", since);
+			if (running === null) tell(`Draft of ${grouped(shown.faces)} faces after ${seconds(since)}.`);
 		}
 	} catch (error) {
 		if (of === change) tellFailure(error);
@@ -226,6 +233,7 @@ async function makeResult(text, of) {
 	const start = performance.now(), signal = running.signal;
 	const report = await results.call("remesh", { options: text }, { signal, onProgress: showProgress });
 	const took = seconds(start);
+	record("result", start);
 	const shown = await results.call("shown", { key: "result", name: "gpremesh" }, { signal });
 	finished = of;
 	viewer.put(shown);
@@ -284,7 +292,7 @@ function changed() {
 	$("download").disabled = true;
 	// A search for an error bound takes many runs.
 	if (!given.some(([row]) => row.option === "--max-error")) {
-		draftWanted = { text: optionsText(given), of };
+		draftWanted = { text: optionsText(given), of, since: performance.now() };
 		draft();
 	}
 	waiting = setTimeout(() => finish(of), restAfter);

@@ -48,14 +48,13 @@ void checkPieces(const CommandLine& line)
 	for (const std::string& piece : line.pieces) {
 		formatOfPath(piece);
 		if (!names.insert(pathOfPiece(line, piece)).second)
-			failUsage("Two of the files have the same name; DIR has place for one of them.");
+			failUsage("Two of the files have the same name, so DIR cannot hold both results.");
 	}
-	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
+	if (line.options.selectedOnly) failUsage("--selected is for a single file only.");
 	if (!line.options.sew)
-		failUsage(
-			"Several files are joined where their borders coincide; --sew off is not for them.");
+		failUsage("Several files are joined along coinciding borders; --sew off is not possible.");
 	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
-		failUsage("Tiles are made of one file only.");
+		failUsage("Tiles are made from a single file only.");
 	checkReport(line);
 }
 
@@ -64,8 +63,9 @@ void checkLevels(const CommandLine& line)
 {
 	const LevelSizes& levels = line.levels;
 	if (levels.sizes.empty()) failUsage("levels needs one of --percent, --vertices and --faces.");
-	if (line.output.find(levelPlace) == std::string::npos)
-		failUsage("OUT must have {level} in its name, such as small_{level}.ply.");
+	if (isOneFile(line) && formatOfPath(line.output) != MeshFormat::Glb)
+		failUsage("OUT must have {level} in its name, such as small_{level}.ply, or be a .glb "
+				  "file, which holds all levels.");
 	const double most = levels.mode == TargetMode::Percent ? 10000 : 2147483647.0;
 	for (const double size : levels.sizes) {
 		const bool isWhole = levels.mode == TargetMode::Percent || size == std::floor(size);
@@ -86,7 +86,7 @@ void checkPaths(const CommandLine& line)
 	if (line.outTileNum > 0) return checkReport(line);
 	const MeshFormat written = formatOfPath(line.output);
 	if (line.command == Command::Features && written != MeshFormat::Ply) {
-		failUsage("features writes .ply only, the one format here that holds quality and colour.");
+		failUsage("features writes .ply only, the only format with quality and colour.");
 	}
 	checkReport(line);
 }

@@ -82,7 +82,7 @@ std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 	for (const Parameter& p : parametersOf(tool)) {
 		if (std::string(p.option).empty() || (isWanted != nullptr && !isWanted(p))) continue;
 		const auto keep = [row = &p, &given](const std::string& word) { given[row] = word; };
-		options.push_back({p.option, p.argument, helpText(p), keep});
+		options.push_back({p.option, p.argument, helpText(p), keep, p.group});
 	}
 	return options;
 }
@@ -95,16 +95,17 @@ CommandOption reportOption(CommandLine& line, const char* help)
 
 CommandOption quietOption(CommandLine& line)
 {
-	return {"--quiet", "", "No progress and no summary; errors are told still",
+	return {"--quiet", "", "Show no progress and no summary, but errors",
 			[&line](const std::string&) { line.quiet = true; }};
 }
 
 CommandOption memoryOption(CommandLine& line)
 {
 	return {"--memory", "SIZE",
-			"Memory to use at most, about, such as 8G. A larger mesh is read in tiles,\n"
-			"each condensed by itself; the result is made of all of them together",
-			[&line](const std::string& word) { line.tiles.memoryBytes = parseBytes(word); }};
+			"Memory to use at most, such as 8G. If IN needs more, IN is cut into tiles, each\n"
+			"tile is condensed separately, and the condensed tiles are remeshed together",
+			[&line](const std::string& word) { line.tiles.memoryBytes = parseBytes(word); },
+			largeMeshGroup};
 }
 
 CommandOption tilesOutOption(CommandLine& line)
@@ -118,9 +119,9 @@ CommandOption tilesOutOption(CommandLine& line)
 		line.outTileNum = int(number);
 	};
 	return {"--tiles-out", "T",
-			"Write OUT as a folder of T binary PLY files whose borders coincide, and of\n"
-			"tiles.json, which tells the box of each",
-			take};
+			"Write OUT as a folder of T binary PLY files with coinciding borders, and of\n"
+			"tiles.json with the bounding box of each file",
+			take, largeMeshGroup};
 }
 
 } // namespace gpr::app

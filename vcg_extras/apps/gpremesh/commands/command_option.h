@@ -18,11 +18,15 @@ struct CommandOption {
 	std::string help;     ///< lines of at most 80 columns
 	/// Takes the given word, or "on" for a switch. Throws AppError (Usage).
 	std::function<void(const std::string&)> take;
+	std::string group = everydayGroup; ///< heading in --help-all; --help shows everydayGroup only
 };
 
 /// The options of the engine's parameter table. `given` receives the words.
 std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 										bool (*isWanted)(const Parameter&) = nullptr);
+
+/// The group of options for meshes larger than the memory.
+constexpr const char* largeMeshGroup = "Meshes larger than the memory";
 
 // Options of several commands; each fills the line.
 CommandOption reportOption(CommandLine& line, const char* help);

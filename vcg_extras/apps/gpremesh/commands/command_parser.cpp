@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <sstream>
 
 namespace gpr::app {
@@ -21,11 +22,11 @@ namespace {
 const char* const exitCodeHelp =
 	"Exit codes:\n"
 	"  0  done\n"
-	"  1  failed for a reason not listed here: no memory, OUT not writable, ...\n"
+	"  1  any other failure: no memory, OUT not writable, ...\n"
 	"  2  the command line is wrong\n"
 	"  3  IN cannot be read or holds no usable surface\n"
-	"  4  a promise could not be kept, such as a number of vertices below what\n"
-	"     the topology needs; nothing is written\n"
+	"  4  a promise could not be kept, such as a number of vertices too small for\n"
+	"     the topology; nothing is written\n"
 	"  5  cancelled or out of time; nothing is written\n";
 
 [[noreturn]] void failUsage(const std::string& sentence)
@@ -40,15 +41,53 @@ std::string sentence(std::string complaint)
 	return complaint;
 }
 
-void add(CLI::App& command, const CommandOption& option)
-{
-	if (option.argument.empty()) {
-		command.add_flag_callback(
-			option.option, [option] { option.take("on"); }, option.help);
-		return;
+/// --help with the everyday options only, if a command has further groups; --help-all has all
+/// groups.
+class GroupedHelp : public CLI::Formatter {
+	using Options = std::vector<const CLI::Option*>;
+
+	static Options everydayOptions(const CLI::App& command)
+	{
+		return command.get_options([](const CLI::Option* option) {
+			return option->nonpositional() && option->get_group() == everydayGroup;
+		});
 	}
-	command.add_option_function<std::string>(option.option, option.take, option.help)
+
+	static bool hasMore(const CLI::App& command)
+	{
+		return !command
+					.get_options([](const CLI::Option* option) {
+						return !option->get_group().empty() && option->get_group() != everydayGroup;
+					})
+					.empty();
+	}
+
+public:
+	std::string make_help(const CLI::App* command, std::string name,
+						  CLI::AppFormatMode mode) const override
+	{
+		if (mode != CLI::AppFormatMode::Normal || !hasMore(*command))
+			return CLI::Formatter::make_help(command, name, mode);
+		return make_description(command) + make_usage(command, name) + make_positionals(command) +
+			   make_group(everydayGroup, false, everydayOptions(*command)) + "\n'" + name +
+			   " --help-all' lists all options, in groups.\n\n" + make_footer(command);
+	}
+};
+
+CLI::Option* add(CLI::App& command, const CommandOption& option)
+{
+	if (option.argument.empty())
+		return command.add_flag_callback(
+			option.option, [option] { option.take("on"); }, option.help);
+	return command.add_option_function<std::string>(option.option, option.take, option.help)
 		->type_name(option.argument);
+}
+
+/// For commands with many options.
+void addInGroups(CLI::App& command, const std::vector<CommandOption>& options)
+{
+	for (const CommandOption& option : options)
+		add(command, option)->group(option.group);
 }
 
 void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
@@ -67,7 +106,8 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 void addOutput(CLI::App& command, CommandLine& line)
 {
 	command
-		.add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN")
+		.add_option("OUT", line.output,
+					"Mesh to write: .ply, .obj, .off, .stl, .glb, .gltf or .3mf; may be IN")
 		->required();
 }
 
@@ -90,9 +130,8 @@ CLI::App* addRemesh(CLI::App& app, RemeshWords& words, Files& files)
 	CLI::App* remesh = app.add_subcommand("remesh", remeshDescription);
 	remesh->add_option("IN", files.in, inHelp)->required();
 	remesh->add_option("OUT", files.out, outHelp);
-	remesh->add_option("MORE", files.more, "With --out-dir: more IN");
-	for (const CommandOption& option : words.options())
-		add(*remesh, option);
+	remesh->add_option("MORE", files.more, "With --out-dir: further input meshes");
+	addInGroups(*remesh, words.options());
 	remesh->footer(exitCodeHelp);
 	return remesh;
 }
@@ -114,7 +153,7 @@ void addLevelSizes(CLI::App& levels, const char* option, const char* help, Targe
 			double size = 0;
 			if (!parseNumber(part, size) || !(size > 0))
 				failUsage(std::string(option) +
-						  " takes numbers above 0 with commas between, not '" + text + "'.");
+						  " takes numbers above 0, separated by commas, not '" + text + "'.");
 			line.levels.sizes.push_back(size);
 		}
 	};
@@ -125,25 +164,24 @@ void addLevelSizes(CLI::App& levels, const char* option, const char* help, Targe
 CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* levels = app.add_subcommand(
-		"levels",
-		"Remeshes IN to several sizes, such as levels of detail, and writes a file each.\n"
-		"IN is read and prepared once. Each level has a proven bound of its distance\n"
-		"from IN.");
-	levels->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		"levels", "Remeshes IN to several sizes, such as levels of detail, and writes a file for\n"
+				  "each size. IN is read and prepared once. Each level has a proven bound of the\n"
+				  "distance from IN.");
+	levels
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	levels
 		->add_option("OUT", line.output,
 					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
-					 "small_{level}.ply")
+					 "small_{level}.ply; or one .glb file for all, by the extension MSFT_lod")
 		->required();
 	addLevelSizes(*levels, "--percent", "Sizes in percent of IN's vertices, such as 50,25,10,5",
 				  TargetMode::Percent, line);
 	addLevelSizes(*levels, "--vertices", "Sizes as numbers of vertices", TargetMode::VertexNum,
 				  line);
 	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
-	addTableOptions(*levels, RemeshTool, given, isForLevels);
-	addOutcome(*levels, line,
-			   "Write what was done, and how well, as JSON: 'levels' has a report each");
+	addInGroups(*levels, tableOptions(RemeshTool, given, isForLevels));
+	addOutcome(*levels, line, "Write a report of each level as JSON, in the list 'levels'");
 	levels->footer(exitCodeHelp);
 	return levels;
 }
@@ -151,7 +189,8 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
 	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
-	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
+		->required();
 	info->add_flag("--json", line.json, "Print JSON");
 	info->footer(exitCodeHelp);
 	return info;
@@ -173,19 +212,23 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* compare = app.add_subcommand(
 		"compare",
-		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
-		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
-	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		"Remeshes IN with these options, with the preset paper and by MeshLab's Quadric\n"
+		"Edge Collapse. Prints a table of times, distances from IN and triangle quality.");
+	compare
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
-	addTableOptions(*compare, RemeshTool, given, isForCompare);
-	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
-	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
+	addInGroups(*compare, tableOptions(RemeshTool, given, isForCompare));
+	compare->add_flag("--isotropic", line.isotropic,
+					  "Also run MeshLab's Isotropic Explicit Remeshing");
+	compare
+		->add_option("--runs", line.runNum,
+					 "Number of runs of each method; the table has the median time")
 		->check(CLI::Range(1, 101))
 		->type_name("K");
 	compare->add_flag("--json", line.json, "Print JSON");
 	compare
 		->add_option("--html", line.htmlFolder,
-					 "Write the page DIR/index.html with views to turn and pictures")
+					 "Write the page DIR/index.html with rotatable views and pictures")
 		->type_name("DIR");
 	compare->footer(exitCodeHelp);
 	return compare;
@@ -195,11 +238,12 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* features = app.add_subcommand(
 		"features",
-		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
-		"its vertices, in degrees, as quality and colour, features selected.");
-	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		"Detects crease edges and cone apexes of IN. OUT is the same mesh with the strength of\n"
+		"each vertex, in degrees, as quality and as colour, and with the features selected.");
+	features
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
-	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
+	features->add_option("OUT", line.output, "Mesh to write: .ply; may be IN")->required();
 	addTableOptions(*features, FeatureTool, given);
 	addOutcome(*features, line, "Write thresholds and counts as JSON");
 	features->footer(exitCodeHelp);
@@ -219,31 +263,32 @@ CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const ch
 CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* const tile = app.add_subcommand(
-		"tile",
-		"The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
-		"split, part for every tile, join, finish. A step that was done is not done again.");
+		"tile", "The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
+				"split, part for every tile, join, finish. Finished steps are not repeated.");
 	tile->require_subcommand(1);
 	CLI::App* const plan = addTileStep(*tile, line, TileStep::Plan, "plan",
-									   "Decides how IN is cut. Reads a sample of a binary "
-									   "PLY\nfile; of others such a file is made first.");
+									   "Decides how to cut IN, by a sample of a binary PLY file.\n"
+									   "A file of another format is converted first.");
 	plan->add_option("IN", line.tiles.inputs,
 					 "PLY, OBJ, OFF or binary STL files, pieces of one surface")
 		->required();
-	addTableOptions(*plan, RemeshTool, given, isForPlan);
+	addInGroups(*plan, tableOptions(RemeshTool, given, isForPlan));
 	add(*plan, memoryOption(line));
-	plan->add_option("--tiles", line.tiles.tileNum, "How many; by the memory if not given")
+	plan->add_option("--tiles", line.tiles.tileNum,
+					 "Number of tiles; by default as the memory allows")
 		->check(CLI::Range(1, 10000))
 		->type_name("T");
-	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
-	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
+	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and writes all tiles.");
+	CLI::App* const part =
+		addTileStep(*tile, line, TileStep::Part, "part", "Condenses a single tile.");
 	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
 	addTableOptions(*part, RemeshTool, given, isForStep);
 	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
 	CLI::App* const finish =
-		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
+		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes the joined tiles.");
 	addOutput(*finish, line);
 	addTableOptions(*finish, RemeshTool, given, isForStep);
-	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
+	addOutcome(*finish, line, "Write a report of the run and the result as JSON");
 	add(*finish, tilesOutOption(line));
 	tile->footer(exitCodeHelp);
 	return tile;
@@ -268,10 +313,15 @@ CommandLine parseCommandLine(int argc, char** argv)
 	Files        files;
 	GivenOptions given; // of the given command only: there is no second command
 	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
-	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
+	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION,
+						 "Show the version and exit");
+	app.set_help_flag("-h,--help", "Show the everyday options and exit");
+	app.set_help_all_flag("--help-all", "Show all options and exit");
+	app.formatter(std::make_shared<GroupedHelp>());
 	app.require_subcommand(1);
 	app.allow_windows_style_options(false); // a path may begin with '/' everywhere
-	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n"
+	app.footer("'gpremesh COMMAND --help' lists the everyday options of a command,\n"
+			   "'gpremesh COMMAND --help-all' all options.\n"
 			   "'gpremesh IN -o OUT' is 'gpremesh remesh IN OUT'.\n\n" +
 			   std::string(exitCodeHelp));
 	CLI::App* const remesh   = addRemesh(app, remeshWords, files);
@@ -286,7 +336,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 		std::reverse(words.begin(), words.end()); // in the parser's order
 		app.parse(std::move(words));
 	}
-	catch (const CLI::Success& wish) { // --help, --version and --manual-page
+	catch (const CLI::Success& wish) { // --help, --help-all, --version and --manual-page
 		app.exit(wish);
 		return line;
 	}

@@ -12,12 +12,18 @@ namespace gpr::app {
 
 void runInfo(const CommandLine& line)
 {
-	const InputMesh      mesh    = readMesh(line.input);
-	const MeshFigures    figures = measureMesh(mesh.view());
-	const QualityFigures quality = measureQuality(mesh.view());
-	const auto           tell    = line.json ? meshInfoJson : meshInfoText;
-	std::fputs(tell(line.input, mesh.doublePrecision, figures, quality, mesh.notes).c_str(),
-			   stdout);
+	WantedAttributes wanted;
+	wanted.carried       = true;
+	wanted.mayStayInFile = true;
+	const InputMesh mesh = readMesh(line.input, wanted);
+	MeshInfo        info;
+	info.path            = line.input;
+	info.doublePrecision = mesh.doublePrecision;
+	info.figures         = measureMesh(mesh.view());
+	info.quality         = measureQuality(mesh.view());
+	info.parts           = measureParts(mesh);
+	info.notes           = mesh.notes;
+	std::fputs((line.json ? meshInfoJson(info) : meshInfoText(info)).c_str(), stdout);
 }
 
 } // namespace gpr::app

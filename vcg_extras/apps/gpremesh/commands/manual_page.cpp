@@ -13,19 +13,19 @@ namespace {
 
 const char* const nameAndWhat =
 	".SH NAME\n"
-	"gpremesh \\- remesh triangle meshes with about\\-equilateral triangles\n";
+	"gpremesh \\- remesh triangle meshes with nearly equilateral triangles\n";
 
 const char* const description =
 	".SH DESCRIPTION\n"
-	"Turns a dense triangle mesh, such as a scan, into one with about\\-equilateral triangles and\n"
-	"exactly as many vertices as asked for, fitted to the scan, sharp edges and borders kept.\n"
-	"Every result is checked before it is written; one that fails is withheld.\n"
+	"Turns a dense triangle mesh, such as a scan, into a mesh with nearly equilateral triangles\n"
+	"and the exact number of vertices asked for. The result is fitted to the scan and keeps\n"
+	"crease edges and borders. Every result is checked before the program writes a file; a faulty\n"
+	"result is withheld.\n"
 	".PP\n"
-	"The extension of a file decides about its format: PLY, OBJ, OFF, STL or GLB.\n"
-	"OUT is written beside its place and renamed when it is whole: after a failure a file that "
-	"was\n"
-	"there before is there still. The same input, options and seed give the same bytes, with any\n"
-	"number of threads, on every system.\n";
+	"The extension of a file decides the format: PLY, OBJ, OFF, STL or GLB.\n"
+	"Only a complete OUT replaces an older file: after a failure the older file is unchanged.\n"
+	"The same input, options and seed give the same bytes, with any number of threads, on every\n"
+	"system.\n";
 
 const char* const examples =
 	".SH EXAMPLES\n"

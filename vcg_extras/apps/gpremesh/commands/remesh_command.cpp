@@ -11,6 +11,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/formats/glb_writer.h>
 #include <vcg_extras/io/mesh/joined_pieces.h>
 #include <vcg_extras/io/mesh/mesh_source.h>
 #include <vcg_extras/io/mesh_io.h>
@@ -135,9 +136,12 @@ void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes&
 /// Notes the rounding to float for formats without doubles.
 void dropDoubles(MeshFormat format, bool& isDouble, std::vector<std::string>& notes)
 {
-	if ((format != MeshFormat::Stl && format != MeshFormat::Glb) || !isDouble) return;
-	const std::string name = format == MeshFormat::Stl ? "STL" : "glTF";
-	isDouble               = false;
+	std::string name;
+	if (format == MeshFormat::Stl) name = "STL";
+	if (format == MeshFormat::Glb || format == MeshFormat::Gltf) name = "glTF";
+	if (format == MeshFormat::ThreeMf) name = "3MF";
+	if (name.empty() || !isDouble) return;
+	isDouble = false;
 	notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
 }
 
@@ -185,9 +189,15 @@ std::string noteOf(const Source& source, const CommandLine& line, const std::str
 	return line.pieces.empty() ? sentence : source.path + ": " + sentence;
 }
 
+/// The common parts of several results of one source.
+struct SharedByLevels {
+	PreparedSurface*       prepared = nullptr;
+	std::vector<GlbLevel>* file     = nullptr; ///< of all levels; null: each has its own file
+};
+
 /// Writes the result of a source; uses up the attributes of the source.
 void writeSource(Source& source, const RemeshResult& result, const CommandLine& line,
-				 const RunLimit& limit, RunRecord& run)
+				 const RunLimit& limit, const SharedByLevels& shared, RunRecord& run)
 {
 	const std::string path     = targetOf(source, line);
 	bool              isDouble = needsDoubleOutput(source.mesh, result);
@@ -195,7 +205,12 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	run.inputDouble           = run.inputDouble || source.mesh.doublePrecision;
 	run.outputDouble          = run.outputDouble || isDouble;
 	MeshAttributes attributes = carriedAttributes(source, result, line, limit);
-	writeResult(result.mesh, isDouble, attributes, path, line, limit);
+	if (shared.file != nullptr) {
+		const double error = run.report.provenDistance.hausdorff().upper;
+		shared.file->push_back({result.mesh, attributes, error});
+	}
+	else
+		writeResult(result.mesh, isDouble, attributes, path, line, limit);
 	if (!line.pieces.empty())
 		run.files.push_back(
 			{path, std::int64_t(result.mesh.vertexNum()), std::int64_t(result.mesh.faceNum())});
@@ -221,9 +236,9 @@ std::vector<RemeshResult> piecesOf(const JoinedPieces& joined, const RemeshResul
 }
 
 /// All work between the meshes in memory and the meshes on the disk; sets all times but the time of
-/// writing. begun: begin of the work on this result. prepared: as above.
+/// writing. begun: begin of the work on this result.
 RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& limit,
-				  const Stopwatch& programClock, double begun, PreparedSurface* prepared = nullptr)
+				  const Stopwatch& programClock, double begun, const SharedByLevels& shared = {})
 {
 	RunRecord run;
 	run.times.read = programClock.seconds() - begun;
@@ -233,7 +248,7 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	std::optional<JoinedPieces> joined;
 	if (sources.size() > 1) joined.emplace(views);
 	const MeshView view   = joined ? joined->view() : views.front();
-	RemeshResult   result = remeshWithProgress(sources, view, line, limit, prepared);
+	RemeshResult   result = remeshWithProgress(sources, view, line, limit, shared.prepared);
 	run.times.remesh      = programClock.seconds() - begun - run.times.read;
 
 	run.inputPath  = line.pieces.empty() ? line.input : listOf(line.pieces);
@@ -250,9 +265,34 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	std::vector<RemeshResult> pieces;
 	if (joined) pieces = piecesOf(*joined, result, sources);
 	for (std::size_t k = 0; k < sources.size(); ++k)
-		writeSource(sources[k], joined ? pieces[k] : result, line, limit, run);
+		writeSource(sources[k], joined ? pieces[k] : result, line, limit, shared, run);
 	return run;
 }
+
+/// Makes a folder and its missing parents, and removes them again while they are empty: a run that
+/// fails leaves no folder.
+class OutputFolder {
+public:
+	explicit OutputFolder(const std::string& path)
+	{
+		namespace fs = std::filesystem;
+		std::error_code error;
+		for (fs::path at = path; !at.empty() && !fs::exists(at, error); at = at.parent_path())
+			made_.push_back(at);
+		if (!made_.empty()) fs::create_directories(path, error); // checkOutput() tells a failure
+	}
+	~OutputFolder()
+	{
+		std::error_code error;
+		for (const std::filesystem::path& made : made_)
+			std::filesystem::remove(made, error);
+	}
+	OutputFolder(const OutputFolder&)            = delete;
+	OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+	std::vector<std::filesystem::path> made_; ///< innermost first
+};
 
 /// Sets the rest of the time of a result.
 void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
@@ -282,8 +322,14 @@ std::string pathOfLevel(const std::string& pattern, std::size_t level)
 {
 	const std::string place = levelPlace;
 	std::string       path  = pattern;
-	path.replace(path.find(place), place.size(), std::to_string(level));
+	const std::size_t at    = path.find(place);
+	if (at != std::string::npos) path.replace(at, place.size(), std::to_string(level));
 	return path;
+}
+
+bool isOneFile(const CommandLine& line)
+{
+	return line.output.find(levelPlace) == std::string::npos;
 }
 
 void runLevels(const CommandLine& line, const Stopwatch& programClock)
@@ -297,13 +343,20 @@ void runLevels(const CommandLine& line, const Stopwatch& programClock)
 	const MeshAttributes   attributes = sources.front().mesh.attributes; // each level empties them
 	std::vector<RunRecord> levels;
 	double                 begun = 0;
+	std::vector<GlbLevel>  ofFile;
+	const SharedByLevels   shared{&prepared, isOneFile(line) ? &ofFile : nullptr};
 	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
 		const CommandLine one           = lineOfLevel(line, i);
 		sources.front().mesh.attributes = attributes;
-		levels.push_back(process(sources, one, limit, programClock, begun, &prepared));
+		levels.push_back(process(sources, one, limit, programClock, begun, shared));
 		endTimes(begun, programClock, levels.back());
 		begun = programClock.seconds();
 		if (!line.quiet) std::fputs(remeshSummary(levels.back()).c_str(), stdout);
+	}
+	if (shared.file != nullptr) {
+		OutputFile out(line.output, limit);
+		writeGlbLevels(ofFile, out);
+		out.commit();
 	}
 	if (!line.report.empty()) writeText(line.report, levelsReportJson(levels));
 }
@@ -322,7 +375,7 @@ void checkOutput(const CommandLine& line)
 
 void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 {
-	if (!line.pieces.empty()) std::filesystem::create_directories(line.output);
+	const OutputFolder folder(line.pieces.empty() ? "" : line.output);
 	checkOutput(line);
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);

@@ -19,6 +19,9 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock);
 /// The name of a level's file: the number, from 1 on, replaces levelPlace.
 std::string pathOfLevel(const std::string& pattern, std::size_t level);
 
+/// Whether all levels come into one file: OUT has no place for a number.
+bool isOneFile(const CommandLine& line);
+
 /// gpremesh levels: runRemesh for several sizes of an input, which is read and prepared once. Each
 /// level has a file and a proof of its distance. A failed level ends the run; the files of earlier
 /// levels stay.

@@ -14,15 +14,17 @@ namespace gpr::app {
 
 namespace {
 
+constexpr const char* dataGroup = "Files, regions and values of the input";
+
 [[noreturn]] void failUsage(const std::string& sentence)
 {
 	throw AppError(ExitCode::Usage, sentence);
 }
 
 CommandOption textOption(const char* option, const char* argument, const char* help,
-						 std::string& kept)
+						 std::string& kept, const char* group)
 {
-	return {option, argument, help, [&kept](const std::string& word) { kept = word; }};
+	return {option, argument, help, [&kept](const std::string& word) { kept = word; }, group};
 }
 
 std::vector<double> parsePeriod(const std::string& word)
@@ -34,7 +36,7 @@ std::vector<double> parsePeriod(const std::string& word)
 		if (!parseNumber(part, period.back())) period.clear();
 	}
 	if (period.size() != 3)
-		failUsage("--periodic takes three numbers with commas between, not '" + word + "'.");
+		failUsage("--periodic takes three numbers, separated by commas, not '" + word + "'.");
 	return period;
 }
 
@@ -52,13 +54,13 @@ bool isMesh(const std::string& word)
 } // namespace
 
 const char* const remeshDescription =
-	"Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
-	"The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
-	"10 % of IN's vertices where none is given.";
-const char* const inHelp = "Mesh to read: .ply, .obj, .off, .stl or .glb";
+	"Remeshes IN with nearly equilateral triangles of equal size and writes OUT. The\n"
+	"size is one of --vertices, --faces, --percent, --edge-length, --max-error and\n"
+	"--detail, by default 10 % of the vertices of IN.";
+const char* const inHelp = "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf";
 const char* const outHelp =
-	"Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
-	"another IN, as all that follow";
+	"Mesh to write: .ply, .obj, .off, .stl, .glb, .gltf or .3mf; may be IN. With --out-dir\n"
+	"another input mesh";
 
 const std::vector<std::string> commandNames = {"remesh",   "levels",  "info",
 											   "features", "compare", "tile"};
@@ -74,70 +76,73 @@ std::vector<std::string> withCommand(std::vector<std::string> words)
 
 CommandOption RemeshWords::outputOption()
 {
-	return textOption("-o,--output", "OUT", "OUT, where it does not stand behind IN", line_.output);
+	return textOption("-o,--output", "OUT", "OUT, if the word behind IN is missing", line_.output,
+					  everydayGroup);
 }
 
 CommandOption RemeshWords::outDirOption()
 {
 	return textOption(
 		"--out-dir", "DIR",
-		"Remesh all IN together and write each into the folder DIR, under its name.\n"
-		"Where borders of the files coincide, they do so in the result, too. A number\n"
-		"of vertices or faces is that of all of them together",
-		folder_);
+		"Remesh all input meshes together and write each result into the folder DIR,\n"
+		"with the name of the input. Borders of two files that coincide in the input also\n"
+		"coincide in the results. A number of vertices or faces counts all files together",
+		folder_, dataGroup);
 }
 
 CommandOption RemeshWords::transferOption()
 {
 	const auto take = [this](const std::string& word) {
 		if (word != "mean" && word != "nearest")
-			failUsage("--transfer takes one of mean, nearest, not '" + word + "'.");
+			failUsage("--transfer takes mean or nearest, not '" + word + "'.");
 		line_.transfer = word == "mean" ? Transfer::Mean : Transfer::Nearest;
 	};
-	return {"--transfer", "mean|nearest",
-			"How values of vertices come to the result: mean over the corners round each\n"
-			"place, or the nearest corner's. If not given: the mean, but the nearest of\n"
-			"labels (whole numbers) and of colours that are a palette",
-			take};
+	return {
+		"--transfer", "mean|nearest",
+		"Values of the result's vertices: mean of the corners of the input face at the\n"
+		"vertex, or value of the nearest corner. Default: nearest for labels (whole numbers) and\n"
+		"for palette colours, mean for all other values",
+		take, dataGroup};
 }
 
 CommandOption RemeshWords::periodicOption()
 {
 	return {"--periodic", "X,Y,Z",
-			"IN is a periodic cell with these lengths, 0 along an axis without a period:\n"
-			"vertices at opposite borders match after adding the length. Implies\n"
-			"--boundary match. Refused where the borders are no translates",
-			[this](const std::string& word) { line_.period = parsePeriod(word); }};
+			"IN is a periodic cell with these lengths, 0 along an axis without a period. The\n"
+			"vertices of opposite borders are one period apart. Implies --boundary match.\n"
+			"Refused if the opposite borders of IN are not one period apart",
+			[this](const std::string& word) { line_.period = parsePeriod(word); }, dataGroup};
 }
 
 std::vector<CommandOption> RemeshWords::options()
 {
-	std::vector<CommandOption> all = {outputOption(), outDirOption()};
+	std::vector<CommandOption> all = {
+		outputOption(), reportOption(line_, "Write a report of the run and the result as JSON"),
+		quietOption(line_)};
 	for (CommandOption& row : tableOptions(RemeshTool, given_))
 		all.push_back(std::move(row));
-	all.push_back(
-		textOption("--regions", "NAME|off",
-				   "The property of IN's faces that tells their regions, whose borders are kept\n"
-				   "as lines and whose labels the result gets. If not given: region, label,\n"
-				   "material, group, CellEntityIds and material_index, groups and materials of\n"
-				   "OBJ, solids of STL. off: none",
-				   line_.regions));
+	all.push_back(outDirOption());
+	all.push_back(textOption(
+		"--regions", "NAME|off",
+		"Property of the faces of IN with the labels of regions. Region borders are kept\n"
+		"as feature lines, and the result gets the labels. Default: region, label,\n"
+		"material, group, CellEntityIds or material_index; groups and materials of OBJ\n"
+		"files, solids of STL files. off: no regions",
+		line_.regions, dataGroup));
 	all.push_back(transferOption());
-	all.push_back(
-		textOption("--sizes", "NAME",
-				   "Vertex property of IN that holds the edge lengths wanted there, in mesh\n"
-				   "units. With them alone the number of vertices follows; with a number of\n"
-				   "vertices or another size they are scaled to it",
-				   line_.sizes));
+	all.push_back(textOption(
+		"--sizes", "NAME",
+		"Property of the vertices of IN with the wanted edge lengths, in mesh units. The\n"
+		"lengths decide the number of vertices; a number of vertices or another size\n"
+		"scales all lengths by one factor",
+		line_.sizes, dataGroup));
 	all.push_back(periodicOption());
-	all.push_back(reportOption(line_, "Write what was done, and how well, as JSON"));
-	all.push_back(quietOption(line_));
 	all.push_back(memoryOption(line_));
-	all.push_back(
-		textOption("--scratch", "DIR",
-				   "With --memory: the folder for what is put aside, OUT.tiles by default. It is\n"
-				   "kept where the run ends early, which then goes on there when run again",
-				   line_.tiles.folder));
+	all.push_back(textOption(
+		"--scratch", "DIR",
+		"With --memory: the folder for intermediate files, OUT.tiles by default. After an\n"
+		"interrupted run the folder stays, and the same command continues the run",
+		line_.tiles.folder, largeMeshGroup));
 	all.push_back(tilesOutOption(line_));
 	return all;
 }

@@ -34,7 +34,7 @@ void checkFolder(const std::string& folder)
 	std::error_code error;
 	std::filesystem::create_directories(folder, error);
 	if (!std::filesystem::is_directory(folder, error)) {
-		throw AppError(ExitCode::Failure, folder + " cannot be made a folder.");
+		throw AppError(ExitCode::Failure, "cannot make the folder '" + folder + "'.");
 	}
 	checkWritable(pagePath(folder));
 }
@@ -73,7 +73,7 @@ void writePage(const std::string& folder, const InputMesh& input, CompareRecord&
 	if (!photographer.complaint().empty()) record.notes.push_back(photographer.complaint());
 	if (!hasViewer()) {
 		record.notes.push_back(
-			"The page has no views to turn: this program was built without three.js.");
+			"The page has no rotatable views: this program was built without three.js.");
 	}
 	bar.show(1, "measuring for the views");
 	const std::string viewer = hasViewer() ? viewerHtml(input.view(), record) : "";

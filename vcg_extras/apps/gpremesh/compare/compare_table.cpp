@@ -109,7 +109,7 @@ std::string topologyChange(const CompareRecord& all, const MethodRecord& m)
 	const MeshFigures &from = all.input.figures, &to = m.record.figures;
 	std::string        list =
 		changed("components", from.components, to.components) +
-		changed("boundary loops", from.boundaryLoops, to.boundaryLoops) +
+		changed("border loops", from.boundaryLoops, to.boundaryLoops) +
 		changed("Euler characteristic", from.eulerCharacteristic, to.eulerCharacteristic) +
 		changed("non-manifold edges", all.input.nonManifoldEdges, m.record.nonManifoldEdges);
 	if (list.size() >= 2) list.resize(list.size() - 2);

@@ -5,6 +5,8 @@
 #include <vcg_extras/core/report_rows.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
+#include <algorithm>
+
 namespace gpr::app {
 
 namespace {
@@ -18,7 +20,7 @@ std::string countsText(const MeshFigures& m)
 {
 	return counted(m.vertices, "vertex", "vertices") + ", " + counted(m.faces, "face", "faces") +
 		   ", " + counted(m.components, "component", "components") + ", " +
-		   counted(m.boundaryLoops, "boundary loop", "boundary loops");
+		   counted(m.boundaryLoops, "border loop", "border loops");
 }
 
 std::string qualityText(const QualityFigures& q)
@@ -63,7 +65,7 @@ std::string provenText(const MutualBounds& proven, double diagonal)
 {
 	const DistanceBounds b       = proven.hausdorff();
 	const double         percent = diagonal > 0 ? 100 / diagonal : 0;
-	return formatted("error    proven: the largest distance of either from the other is between "
+	return formatted("error    proven: the largest distance between input and result is between "
 					 "%.4g and %.4g\n         (%.4f and %.4f %% of the diagonal)%s\n",
 					 b.lower, b.upper, percent * b.lower, percent * b.upper,
 					 b.isBudgetSpent ? "; the budget of the proof was spent" : "");
@@ -89,8 +91,8 @@ std::string remeshSummary(const RunRecord& run)
 		text += "         " + file.path + ": " + counted(file.vertices, "vertex", "vertices") +
 				", " + counted(file.faces, "face", "faces") + "\n";
 	if (run.report.untouchedFaceNum > 0)
-		text += "         all of the selected part; " +
-				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";
+		text += "         all figures are of the selected part; " +
+				counted(run.report.untouchedFaceNum, "face", "faces") + " stayed unchanged\n";
 	text += "quality  " + qualityText(run.report.quality) + "\n";
 	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
 	if (run.report.isDistanceProven)
@@ -100,17 +102,51 @@ std::string remeshSummary(const RunRecord& run)
 	return text + notesText(run.notes);
 }
 
-std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes)
+namespace {
+
+/// The regions with their areas; of many, the first ones.
+std::string regionsText(const std::vector<MeshParts::Region>& regions)
 {
-	std::string text = path + ": " + countsText(figures) + "\n";
+	constexpr std::size_t most = 20;
+	if (regions.empty()) return "";
+	std::int64_t pieceNum = 0;
+	for (const MeshParts::Region& region : regions)
+		pieceNum += region.pieces;
+	std::string text = "regions   " + counted(std::int64_t(regions.size()), "region", "regions") +
+					   " in " + counted(pieceNum, "piece", "pieces") + "\n";
+	for (std::size_t i = 0; i < std::min(most, regions.size()); ++i) {
+		const MeshParts::Region& r = regions[i];
+		text += "          " + (r.name.empty() ? "(without a name)" : r.name) + ": " +
+				counted(r.faces, "face", "faces") + formatted(", area %.6g", r.area) +
+				(r.pieces > 1 ? ", " + grouped(r.pieces) + " pieces" : "") + "\n";
+	}
+	if (regions.size() > most)
+		text += "          and " + grouped(std::int64_t(regions.size() - most)) +
+				" more, which --json names\n";
+	return text;
+}
+
+std::string junctionsText(const MeshParts& parts)
+{
+	if (parts.junctionEdges == 0) return "";
+	return "junctions " + counted(parts.junctionEdges, "edge", "edges") +
+		   formatted(" with more than two faces, %.6g long\n", parts.junctionLength);
+}
+
+} // namespace
+
+std::string meshInfoText(const MeshInfo& info)
+{
+	const MeshFigures& figures = info.figures;
+	std::string        text    = info.path + ": " + countsText(figures) + "\n";
 	text +=
 		formatted("topology  Euler characteristic %lld\n", (long long) figures.eulerCharacteristic);
 	text += formatted("size      area %.9g, diagonal %.9g, mean edge %.9g, coordinates %s\n",
-					  figures.area, figures.diagonal, quality.meanEdgeLen,
-					  doublePrecision ? "double" : "float");
-	text += "quality   " + qualityText(quality) + "\n";
-	return text + notesText(notes);
+					  figures.area, figures.diagonal, info.quality.meanEdgeLen,
+					  info.doublePrecision ? "double" : "float");
+	text += "quality   " + qualityText(info.quality) + "\n";
+	text += regionsText(info.parts.regions) + junctionsText(info.parts);
+	return text + notesText(info.notes);
 }
 
 } // namespace gpr::app

@@ -11,8 +11,7 @@ namespace gpr::app {
 std::string remeshSummary(const RunRecord& run);
 
 /// The figures of a mesh, some lines of text.
-std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes);
+std::string meshInfoText(const MeshInfo& info);
 
 } // namespace gpr::app
 

@@ -63,8 +63,8 @@ void requireSource(const std::string& path, const Json& record, const std::strin
 	if (source.at("file") != absolutePath(path)) failOtherPlan(recordPath);
 	if (stampOf(path) == stampOf(source.at("stamp"))) return;
 	failInput("'" + path +
-			  "' has changed since it was converted. Remove the "
-			  "folder of the run or name another one.");
+			  "' has changed since its conversion. Remove the "
+			  "folder of the run or name another folder.");
 }
 
 std::vector<std::string> convert(const Conversion& job)
@@ -156,7 +156,7 @@ std::vector<std::string> convertInputs(const std::vector<std::string>& inputs, d
 	for (std::size_t i = 0; i < inputs.size(); ++i) {
 		const TileInput kind = tileInputOf(inputs[i]);
 		if (kind == TileInput::NotAtAll)
-			failInput("'" + inputs[i] + "' cannot be read in tiles. Convert it to a PLY file.");
+			failInput("'" + inputs[i] + "' cannot be read in tiles. Convert the file to PLY.");
 		if (kind == TileInput::Directly) continue;
 		makeFolder(folder.path());
 		files[i] = folder.input(i);

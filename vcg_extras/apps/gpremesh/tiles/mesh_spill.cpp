@@ -154,7 +154,7 @@ void MeshSpill::writePly(const std::string& path)
 	vertices_.commit();
 	faces_.commit();
 	if (all_.faceNum_ == 0)
-		failInput("it has no faces (" + std::to_string(all_.vertexNum_) + " vertices)");
+		failInput("the file has no faces (" + std::to_string(all_.vertexNum_) + " vertices)");
 	if (all_.largestIndex_ >= all_.vertexNum_) failNoSuchVertex(all_.vertexNum_);
 	const std::string     text   = header(floatsWillDo());
 	const PlyRecordLayout layout = layoutOf(text);

@@ -33,7 +33,7 @@ std::size_t elementNamed(const PlyHeader& header, const char* name)
 	for (std::size_t i = 0; i < header.elements.size(); ++i) {
 		if (header.elements[i].name == name) return i;
 	}
-	failInput("it has no element '" + std::string(name) + "'.");
+	failInput("the file has no element '" + std::string(name) + "'.");
 }
 
 std::string textureComments(const std::string& header)
@@ -122,7 +122,7 @@ PlyRecordLayout readPlyLayout(const std::string& path)
 PlyRecordLayout readRecordLayout(const std::string& path)
 {
 	PlyRecordLayout layout = readPlyLayout(path);
-	if (layout.isText()) fail(path, "it is a text. Convert it to a binary PLY file.");
+	if (layout.isText()) fail(path, "the file is a text. Convert the file to binary PLY.");
 	return layout;
 }
 
@@ -187,7 +187,7 @@ void PlyRecordReader::seek(std::uint64_t offset)
 #else
 	const bool failed = fseeko(file_, off_t(offset), SEEK_SET) != 0;
 #endif
-	if (failed) fail(path_, "it is a pipe or ends too early.");
+	if (failed) fail(path_, "the file is a pipe or ends too early.");
 	at_ = end_ = 0;
 }
 
@@ -236,7 +236,7 @@ char* PlyRecordReader::takeBytes(std::size_t num)
 
 void PlyRecordReader::failCut() const
 {
-	fail(path_, "the file ends too early; it seems to be cut off.");
+	fail(path_, "the file ends too early and seems to be cut off.");
 }
 
 char* PlyRecordReader::takeValues(PlyType type, std::size_t num)

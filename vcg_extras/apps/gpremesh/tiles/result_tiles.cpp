@@ -54,7 +54,7 @@ public:
 	explicit OutputFolder(const std::string& path) : wanted_(path)
 	{
 		if (fs::exists(wanted_) && !(fs::is_directory(wanted_) && holdsTilesOnly(wanted_)))
-			failToWrite(wanted_, "it exists, and holds something else than tiles");
+			failToWrite(wanted_, "this path exists and holds something else than tiles");
 		std::error_code error;
 		temporary_ = makeOwnFolder(path + ".part", error);
 		if (!error) return;

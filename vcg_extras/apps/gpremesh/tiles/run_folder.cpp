@@ -124,8 +124,8 @@ void requireStamp(const std::string& path, const FileStamp& stamp)
 {
 	if (stampOf(path) == stamp) return;
 	failInput("'" + path +
-			  "' is not as it was written. Remove the folder of the "
-			  "run and begin anew.");
+			  "' differs from the written file. Remove the folder of "
+			  "the run and begin anew.");
 }
 
 void writeJson(const std::string& path, const Json& json)
@@ -159,7 +159,7 @@ void failOtherPlan(const std::string& path)
 {
 	throw AppError(ExitCode::Usage, "'" + path +
 										"' belongs to another plan. Remove the folder of the run "
-										"or name another one.");
+										"or name another folder.");
 }
 
 std::optional<Json> readRecord(const std::string& path, const std::string& planName)

@@ -209,7 +209,7 @@ std::vector<std::string> convertBinaryStl(const Conversion& job)
 	std::ifstream(job.source, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
 	requireAllFacets(begin, std::filesystem::file_size(job.source));
 	const std::uint64_t facetNum = (promisedStlBytes(begin) - stlFacetsAt) / stlFacetBytes;
-	if (facetNum == 0) failInput("it has no faces (0 vertices)");
+	if (facetNum == 0) failInput("the file has no faces (0 vertices)");
 	StlConverter(job, facetNum).run();
 	return {};
 }

@@ -47,7 +47,7 @@ public:
 	void run()
 	{
 		if (text_.faces().count == 0)
-			source_.fail("it has no faces (" + std::to_string(text_.vertices().count) +
+			source_.fail("the file has no faces (" + std::to_string(text_.vertices().count) +
 						 " vertices)");
 		OutputFile out(job_.target, job_.limit);
 		out.text(headerText(binary_, text_.vertices().count, text_.faces().count));

@@ -182,7 +182,7 @@ private:
 			return false;
 		}
 		if (!takeNames(result, part.names)) {
-			note = "A vertex or edge that the tile shares with others was not kept.";
+			note = "A vertex or edge at the border of the tile was not kept.";
 			return false;
 		}
 		note.clear();

@@ -50,6 +50,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::Sizes)
 		failUsage("--max-edge alone is not possible in tiles. Give --vertices, --percent or "
 				  "--edge-length.");
+	if (options.edgeLenIsPercent || options.minEdgeIsPercent || options.maxEdgeIsPercent)
+		failUsage("Lengths in percent are of the diagonal of the whole input, which tiles do not "
+				  "hold. Give them in mesh units.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
@@ -208,7 +211,7 @@ void requireMemoryForFaces(double faceNum, double memoryBytes)
 	throw AppError(
 		ExitCode::PromiseBroken,
 		formatted("The condensed surface has %.0f faces, since parts of the input could not "
-				  "be condensed. It needs about %.1f GB of memory, and --memory allows "
+				  "be condensed. This surface needs about %.1f GB of memory, and --memory allows "
 				  "%.1f GB.",
 				  faceNum, needed * 1e-9, memoryBytes * 1e-9));
 }
@@ -252,7 +255,7 @@ void writePlan(const TilePlan& plan, const RunFolder& folder)
 TilePlan readPlan(const RunFolder& folder)
 {
 	const std::optional<Json> json = readJson(folder.plan());
-	if (!json) failUsage("'" + folder.path() + "' holds no plan. 'gpremesh tile plan' makes one.");
+	if (!json) failUsage("'" + folder.path() + "' holds no plan. Run 'gpremesh tile plan'.");
 	TilePlan plan;
 	for (const Json& input : json->at("inputs")) {
 		plan.inputs.push_back(input.at("file").get<std::string>());

@@ -47,8 +47,8 @@ void noteDensity(double vertexNum, double memoryBytes, std::vector<std::string>&
 	const double usual   = condensedDensity(vertexNum, 0);
 	if (density >= usual) return;
 	notes.push_back(
-		formatted("The memory allows a condensed surface with %.1f vertices for one of the "
-				  "result, where %.0f are usual. The result is a little farther from the input.",
+		formatted("The memory allows a condensed surface with %.1f vertices for each vertex of "
+				  "the result; %.0f are usual. The result is a little farther from the input.",
 				  density, usual));
 }
 
@@ -68,7 +68,7 @@ CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const Spli
 		last.options.allowNearest    = true; // a share is a wish
 	}
 	last.notes.push_back("The input was condensed in " + std::to_string(plan.tileNum()) +
-						 " tiles first. What is told of the input here is told of the condensed "
+						 " tiles first. All figures of the input here are figures of the condensed "
 						 "surface.");
 	noteDensity(resultVertexNum(plan, facts), plan.memoryBytes, last.notes);
 	for (const std::string& note : conversionNotes(plan.inputs.size(), folder))
@@ -244,8 +244,8 @@ bool needsTiles(const CommandLine& line)
 	if (tileInputOf(line.input) != TileInput::NotAtAll) return true;
 	failInput("'" + line.input +
 			  "' may need more memory than --memory allows, and files "
-			  "of its kind cannot be read in tiles. Convert it to a "
-			  "PLY file.");
+			  "of this format cannot be read in tiles. Convert the file "
+			  "to PLY.");
 }
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)

@@ -233,8 +233,8 @@ private:
 	{
 		for (std::int64_t& v : face.corners) {
 			if (v < 0 || std::uint64_t(v) >= plan_.vertexNum[file])
-				failInput("'" + plan_.inputs[file] + "': a face names vertex " + std::to_string(v) +
-						  ", which is not there");
+				failInput("'" + plan_.inputs[file] + "': a face names the missing vertex " +
+						  std::to_string(v));
 			v += std::int64_t(firstVertex);
 		}
 	}

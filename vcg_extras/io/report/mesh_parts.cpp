@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_parts.h"
+
+#include <vcg_extras/core/base/union_find.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace gpr::app {
+
+namespace {
+
+std::vector<EdgeSide> sidesOf(const MeshView& mesh)
+{
+	std::vector<EdgeSide> sides;
+	sides.reserve(3 * mesh.faceNum);
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto t = mesh.triangle(f);
+		for (std::size_t k = 0; k < 3; ++k) {
+			const std::int32_t a = t[k], b = t[(k + 1) % 3];
+			if (a != b) sides.push_back(edgeSide(a, b, int(3 * f + k)));
+		}
+	}
+	std::sort(sides.begin(), sides.end());
+	return sides;
+}
+
+double areaOf(const MeshView& mesh, std::size_t face)
+{
+	const auto   t    = mesh.triangle(face);
+	const Vec3d  a    = mesh.position(std::size_t(t[0]));
+	const Vec3d  b    = mesh.position(std::size_t(t[1])) - a;
+	const Vec3d  c    = mesh.position(std::size_t(t[2])) - a;
+	const double area = 0.5 * length(cross(b, c));
+	return std::isfinite(area) ? area : 0;
+}
+
+void measureJunctions(const MeshView& mesh, const std::vector<EdgeSide>& sides, MeshParts& parts)
+{
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (end - begin < 3) return;
+		++parts.junctionEdges;
+		const double edge = length(mesh.position(std::size_t(sides[begin].high)) -
+								   mesh.position(std::size_t(sides[begin].low)));
+		if (std::isfinite(edge)) parts.junctionLength += edge;
+	});
+}
+
+/// Per face: the first face of its piece.
+std::vector<int> piecesOf(const MeshView& mesh, const std::vector<EdgeSide>& sides)
+{
+	std::vector<int> first(mesh.faceNum);
+	std::iota(first.begin(), first.end(), 0);
+	std::map<std::int32_t, int> faceOf; // by label, at one edge
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		faceOf.clear();
+		for (std::size_t i = begin; i < end && end - begin > 1; ++i) {
+			const int face  = sides[i].halfEdge / 3;
+			const int other = faceOf.emplace(mesh.region[face], face).first->second;
+			joinSets(first, face, other);
+		}
+	});
+	return first;
+}
+
+void measureRegions(const InputMesh& mesh, const std::vector<EdgeSide>& sides, MeshParts& parts)
+{
+	const MeshView view = mesh.view();
+	if (view.region == nullptr) return;
+	std::map<std::int32_t, MeshParts::Region> byLabel;
+	const std::vector<int>                    first = piecesOf(view, sides);
+	for (std::size_t f = 0; f < view.faceNum; ++f) {
+		MeshParts::Region& region = byLabel[view.region[f]];
+		++region.faces;
+		region.pieces += first[f] == int(f);
+		region.area += areaOf(view, f);
+	}
+	for (auto& [label, region] : byLabel) {
+		region.label = label;
+		region.name  = mesh.regions.nameOf(label);
+		parts.regions.push_back(std::move(region));
+	}
+}
+
+} // namespace
+
+MeshParts measureParts(const InputMesh& mesh)
+{
+	MeshParts                   parts;
+	const std::vector<EdgeSide> sides = sidesOf(mesh.view());
+	measureJunctions(mesh.view(), sides, parts);
+	measureRegions(mesh, sides, parts);
+	return parts;
+}
+
+} // namespace gpr::app
