@@ -66,27 +66,28 @@ Parameter newLayer()
 
 Parameter regions()
 {
-	Parameter row = ownRow("Regions", ParameterKind::Choice, "Regions",
-						   "What tells the regions that faces belong to, as materials or patches. "
-						   "Edges of the result follow the borders between regions, and its faces "
-						   "have the same attribute. off: nothing. texture: the index of the "
-						   "texture. colour: the colour of the faces; each colour is a region. "
-						   "quality: the quality of the faces, in whole numbers.");
-	row.choices   = {"off", "texture", "colour", "quality"};
-	row.maximum   = 3;
+	Parameter row =
+		ownRow("Regions", ParameterKind::Choice, "Regions",
+			   "The attribute of faces with the labels of regions, such as materials or "
+			   "patches. Edges of the result follow region borders, and the faces of the "
+			   "result get the labels. off: no regions. texture: the index of the "
+			   "texture. colour: the colour of the faces; each colour is a region. "
+			   "quality: the quality of the faces, in whole numbers.");
+	row.choices = {"off", "texture", "colour", "quality"};
+	row.maximum = 3;
 	return row;
 }
 
 Parameter qualitySizes()
 {
-	Parameter row = ownRow("QualitySizes", ParameterKind::Choice, "Sizes from the vertex quality",
-						   "Whether the quality of each vertex says which edge length is wanted "
-						   "there. off: no. exact: the quality is the length in mesh units, and "
-						   "the number of vertices follows. scaled: the lengths have the ratios "
-						   "of the quality, and the result the number of vertices or the other "
-						   "size that is asked for. The quality must be above 0.");
-	row.choices   = {"off", "exact", "scaled"};
-	row.maximum   = 2;
+	Parameter row =
+		ownRow("QualitySizes", ParameterKind::Choice, "Sizes from the vertex quality",
+			   "Use of the vertex quality as wanted edge length. off: no use. exact: "
+			   "the quality is the length in mesh units, and decides the number of "
+			   "vertices. scaled: one factor scales all lengths to the wanted number of "
+			   "vertices or other size. The quality must be above 0.");
+	row.choices = {"off", "exact", "scaled"};
+	row.maximum = 2;
 	return row;
 }
 
@@ -94,7 +95,7 @@ Parameter period(const char* key, const char* label)
 {
 	Parameter row    = ownRow(key, ParameterKind::Length, label,
 							  "The length of a periodic cell along this axis, in mesh units. Vertices "
-								 "at opposite borders match after adding the length. Opposite borders "
+								 "of opposite borders match, one length apart. Opposite borders "
 								 "with different shapes are refused. 0: no period.");
 	row.maximum      = 1e300;
 	row.defaultValue = [](const gpr::MeshFacts&) { return gpr::ParameterValue(0.0); };

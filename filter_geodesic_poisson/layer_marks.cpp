@@ -73,8 +73,8 @@ LayerRegions regionsByQuality(const MeshModel& layer)
 		if (face.IsD()) continue;
 		const double quality = double(face.cQ());
 		if (quality != std::floor(quality) || std::abs(quality) > double(INT32_MAX)) {
-			throw Refusal("The quality of the faces is no whole number everywhere, so that it "
-						  "tells no regions.");
+			throw Refusal("The quality of some faces is no whole number, so the quality has no "
+						  "labels of regions.");
 		}
 		regions.label.push_back(std::int32_t(quality));
 	}
@@ -108,8 +108,8 @@ std::vector<float> wantedSizesOf(const MeshModel& layer)
 		if (vertex.IsD()) continue;
 		const float size = float(vertex.cQ());
 		if (!(size > 0) || !std::isfinite(size)) {
-			throw Refusal("Sizes shall come from the quality of the vertices, but it is not above "
-						  "0 everywhere.");
+			throw Refusal("The sizes are the quality of the vertices, but the quality of some "
+						  "vertices is not above 0.");
 		}
 		sizes.push_back(size);
 	}

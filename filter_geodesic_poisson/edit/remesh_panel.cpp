@@ -207,7 +207,7 @@ QComboBox* RemeshPanel::countUnit(const gpr::Parameter& row)
 	auto* box = new QComboBox;
 	box->setObjectName("CountUnit");
 	box->addItems({QString::fromUtf8(row.label), "Number of faces"});
-	box->setToolTip("What the slider counts.");
+	box->setToolTip("Unit of the slider.");
 	connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
 			[this](int index) { countFaces(index == 1); });
 	return countUnit_ = box;

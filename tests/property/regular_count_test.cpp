@@ -34,7 +34,7 @@ std::vector<Part> narrowParts()
 bool hasNote(const RemeshResult& result)
 {
 	for (const std::string& note : result.notes)
-		if (note.find("are forecast to make nearly all of them regular") != std::string::npos)
+		if (note.find("are forecast to make nearly all faces regular") != std::string::npos)
 			return true;
 	return false;
 }

@@ -621,8 +621,8 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 			   next, faceNum);
 	}
 	const std::string note = "With " + asked() +
-							 " sheets that meet in junctions would intersect each other, so that "
-							 "there are more.";
+							 " sheets that meet in junctions would intersect each other, so the "
+							 "result has more triangles.";
 	decisions_.vertexNum = attempts_.asked = next;
 	decisions_.faceNum                     = faceNum;
 	decisions_.addedNum                    = 0;

@@ -352,10 +352,10 @@ void tellRegularNum(RunContext& run, Products& made)
 	const bool isHalf   = made.surface.mesh.mirrorAxis >= 0;
 	made.regularNum     = rounded((isHalf ? 2 : 1) * ratio * ratio * double(num));
 	const int irregular = int(std::lround(made.quality.below30Percent));
-	run.tell("The triangles are wider than much of the surface between its sharp edges, so that " +
-			 std::to_string(irregular) + " % of them have an angle below 30 degrees. About " +
+	run.tell("The triangles are wider than much of the surface between crease edges, so " +
+			 std::to_string(irregular) + " % of the faces have an angle below 30 degrees. About " +
 			 std::to_string(made.regularNum) + " vertices (" + std::to_string(2 * made.regularNum) +
-			 " faces) are forecast to make nearly all of them regular.");
+			 " faces) are forecast to make nearly all faces regular.");
 }
 
 } // namespace

@@ -84,7 +84,7 @@ std::string complaint(std::string text)
 {
 	while (!text.empty() && (text.back() == '\n' || text.back() == '.'))
 		text.pop_back();
-	return text.empty() ? "it is no glTF" : text.substr(0, text.find('\n'));
+	return text.empty() ? "the file is no glTF" : text.substr(0, text.find('\n'));
 }
 
 } // namespace

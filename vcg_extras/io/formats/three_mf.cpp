@@ -40,7 +40,7 @@ void require(LIB3MFRESULT result, ExitCode code, const char* sentence)
 
 void requireRead(LIB3MFRESULT result)
 {
-	require(result, ExitCode::BadInput, "it is no 3MF file that lib3mf can read");
+	require(result, ExitCode::BadInput, "lib3mf cannot read the file as 3MF");
 }
 
 void requireWritten(LIB3MFRESULT result)

@@ -28,7 +28,7 @@ def property_of(entry):
     default = PROPOSED[entry["name"]] if entry["is_size"] else entry["default"]
     name, about = entry["label"].replace(" (0 = off)", ""), entry["about"].rstrip(".")
     if entry["name"] == "features":
-        about += ". The selected edges are the edges that are marked sharp"
+        about += ". The selected edges are the edges marked sharp"
     if entry["kind"] == "switch":
         return BoolProperty(name=name, description=about, default=default)
     if entry["kind"] == "choice":
@@ -89,29 +89,29 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     size: EnumProperty(
-        name="Size", default="PERCENT", description="How the size of the triangles is given",
-        items=[("PERCENT", "Percent of the vertices", "Of those that the mesh has now"),
+        name="Size", default="PERCENT", description="Measure for the size of the triangles",
+        items=[("PERCENT", "Percent of the vertices", "Percent of the vertices of the mesh"),
                ("COUNT", "Vertices", "A number of vertices"),
                ("FACES", "Triangles", "A number of triangles, even for a closed surface"),
                ("LENGTH", "Edge length", "The mean length of the edges, in units of the scene"),
-               ("ERROR", "Largest error", "The largest distance from the mesh, which is proven"),
-               ("DETAIL", "Detail", "As many vertices as the distance from the mesh needs, by a forecast"),
-               ("SIZES", "As the sizes say", "The lengths that the attribute of Sizes holds, as they are")])
+               ("ERROR", "Largest error", "The proven largest distance from the mesh"),
+               ("DETAIL", "Detail", "A level of detail, by a forecast of the distance from the mesh"),
+               ("SIZES", "Sizes alone", "The lengths of the attribute named by Sizes, without scaling")])
     regions: StringProperty(
         name="Regions", default="material_index",
-        description="Attribute of faces in whole numbers. New edges follow the borders between its values. "
-                    "material_index is the number of the material; with nothing here no border is followed")
+        description="Attribute of faces with whole numbers, the labels of regions. New edges follow the region borders. "
+                    "material_index is the number of the material. Without a name, no border is followed")
     sizes: StringProperty(
-        name="Sizes", description="Attribute of vertices with the edge lengths that are wanted there, or a vertex group: "
-                                  "where its weight is 1, edges have the share Finest of the length where it is 0")
+        name="Sizes", description="Attribute of vertices with the wanted edge lengths, or a vertex group: edges at "
+                                  "weight 1 have the share Finest of the length at weight 0")
     finest: FloatProperty(name="Finest", default=0.25, min=0.02, max=1,
-                          description="Length of edges at the weight 1 of the vertex group, over the length at the weight 0")
+                          description="Edge length at weight 1 of the vertex group, divided by the length at weight 0")
     periodic: FloatVectorProperty(
         name="Periodic Cell", size=3, min=0, subtype="XYZ_LENGTH",
         description="Lengths of a periodic cell in units of the scene, 0 along an axis without a period. Vertices at "
                     "opposite borders match")
-    as_copy: BoolProperty(name="As Copy", default=False, description="Leave the object as it is and put the result beside it")
-    advanced: BoolProperty(name="More", default=False, description="Show the rest of the parameters")
+    as_copy: BoolProperty(name="As Copy", default=False, description="Keep the object and make a new object from the result")
+    advanced: BoolProperty(name="More", default=False, description="Show all other parameters")
 
     _run = None
     _timer = None

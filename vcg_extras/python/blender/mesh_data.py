@@ -72,7 +72,7 @@ class TakenMesh:
         if layer is None:
             return None, None
         if len(mesh.uv_layers) > 1:
-            self.notes.append(f"Of the UV maps, only the active one was carried over: {layer.name}.")
+            self.notes.append(f"Only the active UV map was carried over: {layer.name}.")
         return layer.name, numbers(layer.uv, "vector", 2, np.float32)[self.corners]
 
     def _column(self, mesh, attribute):
@@ -127,7 +127,7 @@ class TakenMesh:
         if name not in self.group_names:
             return self._column_named(name, "vertex", "Sizes")
         if are_exact:
-            raise ValueError("A vertex group has shares of a length and no lengths; give the size in another way.")
+            raise ValueError("A vertex group has shares of a length, not lengths; choose another size.")
         weights = self.groups.get(self.group_names[name], np.zeros(len(self.vertices), np.float32))
         return finest ** weights.astype(np.float64)
 
@@ -140,10 +140,10 @@ class TakenMesh:
         if sizes:
             marks["sizes"] = self._sizes(sizes, finest, are_exact)
         elif are_exact:
-            raise ValueError("The size shall be as the sizes say, but Sizes names no attribute.")
+            raise ValueError("The size is from Sizes alone, but Sizes names no attribute.")
         if features == "selected":
             if not len(self.sharp_edges):
-                raise ValueError("Feature lines shall be the edges that are marked sharp, but none is.")
+                raise ValueError("The feature lines are the edges marked sharp, but no edge is marked sharp.")
             marks["feature_edges"] = self.sharp_edges
         return marks
 
@@ -189,7 +189,7 @@ def take(active):
     """The mesh of an object. Raises a ValueError with the reason for an unusable mesh."""
     mesh = active.data
     if mesh.shape_keys is not None:
-        raise ValueError("The mesh has shape keys, which cannot be carried over; apply or remove them first.")
+        raise ValueError("The mesh has shape keys, which cannot be carried over; apply or remove the shape keys first.")
     if not mesh.polygons:
         raise ValueError("The mesh has no faces.")
     scale = np.abs(np.array(active.matrix_world.to_scale(), np.float32))

@@ -52,7 +52,7 @@ void checkOptions(const RemeshOptions& options)
 				  "--edge-length.");
 	if (options.edgeLenIsPercent || options.minEdgeIsPercent || options.maxEdgeIsPercent)
 		failUsage("Lengths in percent are of the diagonal of the whole input, which tiles do not "
-				  "hold. Give them in mesh units.");
+				  "hold. Give all lengths in mesh units.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
