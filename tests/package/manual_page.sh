@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Read by `source`, after scripts/common.sh.
 
-# The options of a command, as its --help names them, one a line.
+# The options of a command, as its --help-all names them, one a line.
 options_in_help() { # program, command
-	"$1" "$2" --help | sed -n 's/^  \(-[^ ]*,\)\{0,1\}\(--[a-z-]*\).*/\2/p'
+	"$1" "$2" --help-all | sed -n 's/^  \(-[^ ]*,\)\{0,1\}\(--[a-z-]*\).*/\2/p'
 }
 
 # The options of a command, as the manual page names them.
