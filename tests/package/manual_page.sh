@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Read by `source`, after scripts/common.sh.
 
-# The options of a command, as its --help names them, one a line.
+# The options of a command, as its --help-all names them, one a line.
 options_in_help() { # program, command
-	"$1" "$2" --help | sed -n 's/^  \(-[^ ]*,\)\{0,1\}\(--[a-z-]*\).*/\2/p'
+	"$1" "$2" --help-all | sed -n 's/^  \(-[^ ]*,\)\{0,1\}\(--[a-z-]*\).*/\2/p'
 }
 
 # The options of a command, as the manual page names them.
@@ -21,7 +21,8 @@ check_manual_page() { # program, page
 	local command words
 	for command in remesh info compare features; do
 		[ "$(options_in_help "$1" $command | wc -l)" -gt 1 ] || fail "no options in the help of $command"
-		diff <(options_in_help "$1" $command) <(options_in_page "$2" $command) ||
+		# The help has its options in groups.
+		diff <(options_in_help "$1" $command | sort) <(options_in_page "$2" $command | sort) ||
 			fail "help and manual page of $command differ"
 	done
 	if command -v groff >/dev/null && command -v preconv >/dev/null; then

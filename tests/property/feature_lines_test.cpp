@@ -52,7 +52,8 @@ TEST_P(FeatureLines, AreInTheResultAndNoOthers)
 		EXPECT_TRUE(isSoundSurface(r.mesh));
 		EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
 		EXPECT_EQ(r.report.audit.invertedFaces, 0);
-		EXPECT_TRUE(r.notes.empty()) << r.notes.front();
+		// With few vertices the rim of the thin plate has one note: how many would be regular.
+		EXPECT_EQ(r.notes.size(), std::size_t(r.report.regularVertexNum > 0 ? 1 : 0));
 		const std::vector<Vec3d> lines = sharpSegments(mesh, 40);
 		ASSERT_FALSE(lines.empty());
 		EXPECT_LE(segmentDistance(lines, sharpSegments(r.mesh, 38)), GetParam().tolerance);

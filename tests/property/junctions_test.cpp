@@ -331,7 +331,7 @@ TEST(Junctions, ANoteTellsWhatKeepingWouldDo)
 {
 	const auto speaks = [](const RemeshResult& result) {
 		return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
-			return note.find("--junctions keep") != std::string::npos;
+			return note.find("junctions with the value keep") != std::string::npos;
 		});
 	};
 	const Complex cubes = touchingCubes(6, false);

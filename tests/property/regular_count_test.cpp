@@ -25,7 +25,7 @@ std::vector<Part> narrowParts()
 {
 	return {{"plate", box(20, 20, 1, {10, 10, 0.2f}), 100, 1.5},
 			{"strip", box(40, 8, 1, {10, 2, 0.1f}), 100, 1.5},
-			{"box", box(12, 6, 1, {6, 3, 0.12f}), 100, 1.5},
+			{"box", box(12, 6, 1, {6, 3, 0.12f}), 100, 1.75},
 			// Rims without corners suit the triangles earlier.
 			{"coin", closedCylinder(96, 1, 5, 0.25), 100, 2},
 			{"ring", ringPlate(96, 0.6, 0.04), 80, 2}};
