@@ -34,7 +34,7 @@ protected:
 		return readMesh(file, wanted);
 	}
 
-	/// Reads, remeshes to 300 vertices, writes, and reads what was written.
+	/// Reads a mesh, remeshes to 300 vertices, writes the result, and reads the written file.
 	InputMesh throughTheProgram(const std::string& from, const std::string& to, bool isSewn = true)
 	{
 		InputMesh                            input = read(from);
@@ -59,7 +59,7 @@ protected:
 	std::vector<std::string> lost;
 };
 
-/// A flat square with what MeshLab saves and more, two charts that do not fit at x = 0.5.
+/// A flat square with the attributes of MeshLab's files and more; two charts, a seam at x = 0.5.
 std::string attributedPly()
 {
 	const TestMesh    mesh = grid(30);
@@ -136,8 +136,7 @@ TEST_F(Attributes, OfPlyFilesComeOutAgain)
 	}
 }
 
-/// A square of two halves with vertices of their own, whose texture coordinates do not fit at
-/// x = 0.5.
+/// A square of two halves with separate vertices; the texture coordinates differ at x = 0.5.
 std::string plyOfTwoHalves()
 {
 	const TestMesh                      mesh = grid(20);
@@ -169,7 +168,7 @@ std::string plyOfTwoHalves()
 	return text.str();
 }
 
-/// Once the halves are one, a vertex of the seam has two coordinates, which corners keep.
+/// After sewing, a vertex of the seam has two texture coordinates, which corners keep.
 TEST_F(Attributes, TextureCoordinatesOfVerticesStayOnTheirSideOfASewnSeam)
 {
 	const std::string in   = put("in.ply", plyOfTwoHalves());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as text where the library has no such conversion of its own, against one that has.
+// Our conversions of numbers for libraries without std::to_chars of reals, compared with a library
+// that has std::to_chars.
 #include <vcg_extras/io/text/char_conversion.h>
 
 #include <cmath>

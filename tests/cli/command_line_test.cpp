@@ -31,7 +31,7 @@ TEST_F(CommandLine, HelpTellsExitCodesAndOptions)
 	}
 }
 
-/// The number of lines that begin with an option.
+/// The number of lines with an option at the begin.
 std::size_t optionNum(const std::string& help)
 {
 	std::size_t num = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh compare as a user runs it.
+// The command gpremesh compare.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -47,7 +47,7 @@ protected:
 		return false;
 	}
 
-	/// tests/page looks at it in a browser.
+	/// tests/page opens the page in a browser.
 	static void expectViewer(const std::string& page)
 	{
 		const bool isBuilt = page.find("built without three.js") == std::string::npos;
@@ -85,8 +85,8 @@ TEST_F(Compare, OursIsAsNearAsQuadricCollapseAndMoreRegular)
 	EXPECT_GT(quadric["quality"]["aspectRatio"]["mean"], 0.5);
 }
 
-// A face of circumradius R with its corners on the unit sphere is furthest inside, by R²/2, in its
-// middle. The fit shares that out between inside and outside.
+// The middle of a face of circumradius R with corners on the unit sphere is R²/2 inside the sphere.
+// The fit shares this distance between inside and outside.
 TEST_F(Compare, DistancesOfASphereAreThoseOfItsChords)
 {
 	const Json   all  = compared(sphere(30), {"--vertices", "600"});
@@ -204,7 +204,7 @@ TEST_F(Compare, DirtyInputIsCompared)
 	EXPECT_EQ(method(all, "default")["nonManifoldEdges"], 0);
 }
 
-/// What the paper does in section 3.1 can be set beside Quadric Edge Collapse.
+/// The measures of section 3.1 of the paper, beside Quadric Edge Collapse.
 TEST_F(Compare, TakesDensityFeaturesAndPresets)
 {
 	const TestMesh mesh     = sphere(16);

@@ -70,7 +70,8 @@ std::map<std::string, double> areasOf(const InputMesh& mesh)
 	return areas;
 }
 
-/// The names of the two halves of a square, parted at x = 0.4, put before their faces.
+/// A square as OBJ text, with `left` and `right` as lines before the faces of either half, parted
+/// at x = 0.4.
 std::string halvesObj(const std::string& left, const std::string& right)
 {
 	const TestMesh    mesh = grid(20);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh features as a user runs it.
+// The command gpremesh features.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -73,8 +73,8 @@ T take(const std::string& file, std::size_t& at)
 	return value;
 }
 
-/// The vertices of a file of gpremesh features, whose header is pinned by this. Fails the test
-/// where the file is of another length than the header says.
+/// The vertices of a file of gpremesh features. Fails the test if the header or the length of the
+/// file is not as expected.
 std::vector<WrittenVertex> verticesOf(const std::string& file, const TestMesh& mesh,
 									  const std::string& type)
 {

@@ -81,7 +81,7 @@ double volumeOf(const InputMesh& mesh)
 	return sum;
 }
 
-/// The sentence with which a file is refused; empty where it is read.
+/// The sentence of the refusal of a file; empty for a file that is read.
 std::string refusal(const std::string& file)
 {
 	try {
@@ -94,7 +94,7 @@ std::string refusal(const std::string& file)
 	}
 }
 
-/// The same for a tetrahedron whose JSON part is changed by a patch (RFC 7396).
+/// The sentence of the refusal of a tetrahedron whose JSON part is changed by a patch (RFC 7396).
 std::string refusalOf(const char* patch)
 {
 	GltfJson json = tetrahedronJson();
@@ -218,7 +218,7 @@ TEST(GlbReader, RefusesWhatIsMalformed)
 	EXPECT_NE(refusal(file).find("malformed"), std::string::npos);
 }
 
-/// A mesh with everything that the format holds, through a file.
+/// A mesh with all attributes of the format, through a file.
 class GlbRoundTrip : public ::testing::Test {
 protected:
 	GlbRoundTrip() :

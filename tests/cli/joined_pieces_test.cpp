@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several meshes remeshed as one and taken apart again.
+// Several meshes remeshed as a whole and taken apart again.
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/io/mesh/joined_pieces.h>

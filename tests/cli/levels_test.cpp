@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh levels, and symmetric results, as a user makes them.
+// The command gpremesh levels, and symmetric results.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -49,7 +49,7 @@ TEST_F(Levels, EachLevelIsThatOfASingleRunAndTellsItsError)
 	}
 }
 
-/// What one level has used up of the input is there for the next.
+/// Each level gets the attributes of the input, not the remains of the level before.
 TEST_F(Levels, ValuesOfVerticesComeToEachLevel)
 {
 	const TestMesh mesh = sphere(30);
@@ -71,7 +71,7 @@ TEST_F(Levels, ValuesOfVerticesComeToEachLevel)
 	EXPECT_EQ(content(path("out_2.ply")), content(path("single.ply")));
 }
 
-/// A node with levels by MSFT_lod: the finest is what programs read that do not know them.
+/// A node with levels by MSFT_lod: programs without this extension read the finest level.
 TEST_F(Levels, ComeIntoOneBinaryGltfFile)
 {
 	const std::string   in   = put("in.ply", binaryPly(sphere(40), true, false));

@@ -36,7 +36,7 @@ std::vector<Format> libraryFormats()
 
 class LibraryFormats : public CliTest {
 protected:
-	/// Coordinates and corners of what was written as floats.
+	/// Coordinates and corners of a file with floats.
 	static std::pair<std::vector<float>, std::vector<std::int32_t>> read(const std::string& file)
 	{
 		gpr::app::WantedAttributes wanted;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input that must be refused: exit code 3 with a sentence, soon, whatever is in the file.
+// Malformed input: exit code 3 with a sentence, soon, whatever is in the file.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -40,7 +40,7 @@ protected:
 
 TEST_F(MalformedInput, TheGoodFileIsRead)
 {
-	// Proves that what the other tests spoil was right before.
+	// The file that other tests damage is valid.
 	const ProgramResult result = run({"info", put("good.ply", goodPly)});
 	EXPECT_EQ(result.exitCode, 0) << result.err;
 }
@@ -132,7 +132,7 @@ TEST_F(MalformedInput, PlyListsBeyondTheFile)
 
 TEST_F(MalformedInput, CutOffAtManyPlaces)
 {
-	// Every prefix that lacks at least one whole value must be refused.
+	// Every prefix that lacks at least one whole value is refused.
 	const TestMesh    mesh    = sphere(2);
 	const std::string files[] = {binaryPly(mesh, true, false), binaryPly(mesh, false, true)};
 	for (const std::string& whole : files) {

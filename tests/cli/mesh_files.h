@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Small meshes, and files of them written independently of the program's own writers.
+// Small meshes, and files written independently of the program's own writers.
 
 namespace gpr_test {
 
@@ -19,9 +19,9 @@ struct TestMesh {
 
 /// Sphere of radius 1: an octahedron with every edge cut into n pieces; 4n²+2 vertices.
 TestMesh sphere(int n);
-/// Flat square [0,1]² of n by n cells, one boundary loop.
+/// Flat square [0,1]² of n by n cells, one border loop.
 TestMesh grid(int n);
-/// The faces of grid(n) left of the middle, and those right of it, each with all vertices.
+/// The faces of grid(n) left and right of the middle, each half with all vertices.
 std::array<TestMesh, 2> halvesOfGrid(int n);
 /// Torus with radii 1 and 0.4, n by n cells, n² vertices.
 TestMesh torus(int n);
@@ -38,7 +38,7 @@ void putBinary(std::string& bytes, T value, bool littleEndian)
 	}
 }
 
-/// A number with that many significant digits.
+/// A number with `number` significant digits.
 std::string digits(double value, int number = 17);
 
 std::string asciiPly(const TestMesh& mesh);
@@ -50,9 +50,8 @@ std::string off(const TestMesh& mesh);
 std::string asciiStl(const TestMesh& mesh);
 std::string binaryStl(const TestMesh& mesh);
 
-/// Reads what gpremesh writes as PLY: binary little endian, three coordinates, triangles; other
-/// scalars are passed over.
-/// precision receives "float" or "double". Throws std::runtime_error on anything else.
+/// Reads a PLY file of gpremesh: binary little endian, three coordinates, triangles; skips other
+/// scalars. precision receives "float" or "double". Throws std::runtime_error on other files.
 TestMesh parseWrittenPly(const std::string& file, std::string& precision);
 
 } // namespace gpr_test

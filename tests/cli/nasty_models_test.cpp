@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every model of the folder GPR_MODELS_DIR: within twenty seconds a valid result, or a refusal with
-// a sentence where its README allows one. Skipped where the variable is not set.
+// Every model of the folder GPR_MODELS_DIR: within the time limit a valid result or, if the model
+// may be refused, a refusal with a sentence. Skipped without the variable.
 #include "program_runner.h"
 #include "surface_check.h"
 
@@ -11,8 +11,8 @@
 
 namespace gpr_test {
 
-/// The slowest one takes 28 seconds on a quiet machine: needles whose whole mesh has to be made
-/// anew, as it would intersect itself.
+/// Ten times the time of the slowest model on a quiet machine: needles whose whole mesh is made
+/// anew because of self-intersections.
 constexpr int maxSeconds = 280;
 
 namespace {
@@ -74,7 +74,7 @@ const Model models[] = {
 	{"bunny10k_uv_open.obj", Duty::MustRemesh},
 };
 
-/// The folder, or nothing where the variable is not set.
+/// The folder; empty without the variable.
 std::string modelsFolder()
 {
 	const char* const folder = std::getenv("GPR_MODELS_DIR");

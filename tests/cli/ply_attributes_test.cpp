@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Selections out of PLY files, as MeshLab saves them.
+// Selections in PLY files of MeshLab.
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
@@ -25,7 +25,7 @@ using gpr::app::WantedAttributes;
 
 const char* const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
 
-/// The values of a file of one of the formats, one after the other.
+/// Writes values in a format of PLY files.
 class Values {
 public:
 	explicit Values(const std::string& format) : format_(format) {}

@@ -27,7 +27,7 @@ class Body {
 public:
 	explicit Body(Format format) : format_(format) {}
 
-	/// A value of that PLY type; must fit.
+	/// Puts a value of a PLY type; must fit.
 	void put(const std::string& type, double value)
 	{
 		const bool little = format_ == Format::Little;
@@ -82,7 +82,7 @@ std::string declared(const Property& p)
 	return "property " + list + p.type + " " + p.name + "\n";
 }
 
-/// A random layout, and a file of a random mesh in it.
+/// A random layout, and a file of a random mesh in this layout.
 class RandomFile {
 public:
 	explicit RandomFile(std::uint32_t seed) : random_(seed)
@@ -137,7 +137,7 @@ private:
 
 	void makeMesh()
 	{
-		// Small whole coordinates: every scalar type holds them.
+		// Small whole coordinates: every scalar type holds such values.
 		const int vertexNum = 3 + pick(60);
 		for (int v = 0; v < vertexNum; ++v)
 			mesh_.points.push_back({double(pick(100)), double(pick(100)), double(pick(100))});
@@ -156,7 +156,8 @@ private:
 
 	void layOut()
 	{
-		// Mostly x y z of one type beside each other, which has a path of its own in the reader.
+		// Mostly x y z of the same type side by side: the reader has a separate path for such
+		// files.
 		const std::string type = pick(2) ? "float" : scalarType();
 		const bool        same = pick(3) != 0;
 		for (const char* name : {"x", "y", "z"})
@@ -305,7 +306,7 @@ TEST(PlyLayout, WhatCannotBeUsedAsItLiesIsCopiedOrRefusedAsEver)
 
 TEST(PlyLayout, EveryPrefixIsReadOrRefusedWithoutHarm)
 {
-	// Under the sanitizers this also shows that nothing is read beyond the end.
+	// Under the sanitizers this loop also shows reads beyond the end.
 	for (std::uint32_t seed = 1; seed <= 40; ++seed) {
 		const std::string file = RandomFile(seed).text();
 		for (std::size_t keep = 0; keep < file.size(); keep += 1 + file.size() / 200) {
@@ -359,7 +360,7 @@ TEST(PlyLayout, PrecisionFollowsTheTypes)
 
 TEST(PlyLayout, LineBreaksOfAllSystems)
 {
-	// The first byte of the body looks like a line break: it must not be taken for one.
+	// The first byte of the body looks like a line break but is none.
 	for (const std::string lineBreak : {"\n", "\r\n", "\r"}) {
 		std::string header;
 		for (const char* line :

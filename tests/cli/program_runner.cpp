@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// GPREMESH overrides the program that CMake has built.
+/// The path in the variable GPREMESH, else the program built by CMake.
 std::string programPath()
 {
 	const char* const chosen = std::getenv("GPREMESH");
@@ -132,7 +132,7 @@ ProgramResult CliTest::runOnTerminal(const std::vector<std::string>& arguments) 
 	if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) {
 		throw std::runtime_error("no pseudo terminal");
 	}
-	// What the program writes is little enough to wait in the terminal until it has ended.
+	// The terminal holds the program's whole output until the program has ended.
 	ProgramResult result = run(arguments, 60, 0, ::ptsname(terminal));
 	char          text[4096];
 	for (ssize_t got; (got = ::read(terminal, text, sizeof text)) > 0;) {

@@ -9,16 +9,16 @@
 
 namespace gpr_test {
 
-/// What a program left behind.
+/// The outcome of a run of a program.
 struct ProgramResult {
-	int         exitCode = -1; ///< 128 + signal when it was killed by one
+	int         exitCode = -1; ///< 128 + signal after a kill
 	bool        timedOut = false;
 	double      seconds  = 0;
 	std::string out;
 	std::string err;
 };
 
-/// A folder for one test, with gpremesh at hand; removed at the end.
+/// A test with a folder for its files, removed at the end; runs gpremesh.
 class CliTest : public ::testing::Test {
 protected:
 	CliTest();
@@ -32,11 +32,11 @@ protected:
 	/// Names of all files in the test's folder.
 	std::vector<std::string> files() const;
 
-	/// Runs gpremesh to its end, or kills it after that many seconds.
+	/// Runs gpremesh to the end, or kills the program after `timeLimit` seconds.
 	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit = 30) const;
-	/// The same, but sends it a signal as soon as it is ready to catch it.
+	/// Runs gpremesh and sends a signal as soon as the program has a handler for the signal.
 	ProgramResult runAndSignal(const std::vector<std::string>& arguments, int signal) const;
-	/// The same, but its standard error is a terminal.
+	/// Runs gpremesh with a terminal as standard error.
 	ProgramResult runOnTerminal(const std::vector<std::string>& arguments) const;
 
 private:
@@ -47,8 +47,8 @@ private:
 					  const std::string& errorTo) const;
 };
 
-/// A failed run as gpremesh owes it: that exit code, nothing on standard output, and one sentence
-/// that begins with the program's name.
+/// Expects a failed run: this exit code, nothing on standard output, and one sentence after the
+/// program's name.
 void expectFailure(const ProgramResult& result, int exitCode,
 				   const std::string& partOfSentence = "");
 

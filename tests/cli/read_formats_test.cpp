@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers of OBJ, OFF and STL, on what real programs write.
+// The readers of OBJ, OFF and STL, on files as real programs write.
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
@@ -30,7 +30,7 @@ std::vector<int> corners(const InputMesh& mesh)
 	return {mesh.triangles.begin(), mesh.triangles.end()};
 }
 
-/// Area of the triangles, those that face downwards counted as negative.
+/// Signed area of the triangles: negative for triangles that face downwards.
 double signedArea(const InputMesh& mesh)
 {
 	double sum = 0;
@@ -97,8 +97,8 @@ TEST(ObjReader, FacesMayComeBeforeTheirVertices)
 
 TEST(ObjReader, ConcavePolygonIsNotFolded)
 {
-	// 4-----2    the corner 3 lies inwards: only a fan around it covers the polygon
-	// |  3  |
+	// 3-----2    the corner 4 lies inwards: of all fans, only the fan round 4 covers the polygon
+	// |  4  |
 	// | / \ |
 	// 0     1
 	const InputMesh mesh = readObj("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 5 2 3 4\n");
@@ -115,7 +115,7 @@ TEST(ObjReader, ConvexPolygonIsAFanAroundItsFirstCorner)
 
 TEST(ObjReader, CombIsNotFolded)
 {
-	//  _   _   _      no fan covers this; its area is that of the teeth and of the bar below
+	//  _   _   _      no fan covers this polygon; its area is the teeth's and the bar's
 	// | |_| |_| |
 	// |_________|
 	std::string text, face = "f";
@@ -307,7 +307,7 @@ TEST(AllReaders, NotANumberIsReadAsThat)
 
 TEST(AllReaders, NumbersWithATailAreRefused)
 {
-	// Where a stream reads a number, it is content with the begin of a word.
+	// A stream would accept the begin of such a word as a number.
 	for (const std::string word : {"1.5x", "1,5", "0x10", "1-1", "--1", "1e", "e5"}) {
 		SCOPED_TRACE(word);
 		EXPECT_THROW(readObj("v 0 0 0\nv 1 0 0\nv 0 1 " + word + "\nf 1 2 3\n"),
@@ -330,7 +330,7 @@ TEST(AllReaders, NumbersWithATailAreRefused)
 
 TEST(AllReaders, DamagedBytesAreReadOrRefusedWithoutHarm)
 {
-	// Under the sanitizers this also shows that nothing is read beyond the end.
+	// Under the sanitizers this loop also shows reads beyond the end.
 	using Reader                                 = InputMesh (*)(std::string_view);
 	const std::pair<Reader, std::string> files[] = {{readObj, objWithNegativeIndices(sphere(2))},
 													{readObj, obj(torus(4))},
@@ -358,8 +358,8 @@ TEST(AllReaders, DamagedBytesAreReadOrRefusedWithoutHarm)
 	}
 }
 
-/// A file of several megabytes, which threads read in pieces: vertex i is (i, 0, 1), and corners
-/// count from the end, so that each depends on where it stands.
+/// Threads read a file of several megabytes in pieces: vertex i is (i, 0, 1), and corners count
+/// from the end, so each corner depends on the number of vertices before.
 TEST(ObjReader, PiecesOfALargeFileFitTogether)
 {
 	const int   num = 120000;
@@ -435,8 +435,7 @@ TEST(OffReader, PiecesOfALargeFileFitTogether)
 		ASSERT_EQ(mesh.triangles[3 * std::size_t(i) - 4], i);
 }
 
-/// Threads fill one table side by side: vertices come in the order of their first corners all the
-/// same.
+/// Threads fill one table side by side, yet vertices come in the order of their first corners.
 TEST(StlReader, VerticesOfALargeFileAreInTheOrderOfTheirFirstUse)
 {
 	TestMesh large = sphere(150);

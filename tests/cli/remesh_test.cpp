@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh remesh and info as a user runs them.
+// The commands gpremesh remesh and gpremesh info.
 #include "mesh_files.h"
 #include "program_runner.h"
 #include "surface_check.h"
@@ -85,7 +85,7 @@ TEST_F(Remesh, EveryInputFormatGivesASphere)
 	}
 }
 
-/// An ASCII file whose faces are selected where x is above 0.
+/// An ASCII PLY file whose faces with x above 0 are selected.
 std::string halfSelectedPly(const TestMesh& mesh)
 {
 	std::string text = "ply\nformat ascii 1.0\nelement vertex " +
@@ -285,7 +285,7 @@ TEST_F(Remesh, TooFewVerticesNamesTheSmallestCount)
 	EXPECT_EQ(content(old), "old");
 	EXPECT_EQ(files(), (std::vector<std::string>{"in.ply", "out.ply"}));
 
-	// The number named is kept: it works, and is at least what a torus needs.
+	// The number in the message works, and is at least the least number for a torus.
 	std::string smallest;
 	for (const char c : result.err) {
 		if (c >= '0' && c <= '9') {
@@ -444,7 +444,7 @@ TEST_F(Remesh, ReportTellsTheOptionsInForce)
 	EXPECT_EQ(report()["adapt"], 0) << "what it came to";
 }
 
-/// A tenth that is given is the tenth; the default is another thing.
+/// With the preset fast, 'auto' means 0; a given number is taken.
 TEST_F(Remesh, AdaptivityMayBeLeftToTheProgram)
 {
 	const std::string in = binaryPly(sphere(30), true, false);
@@ -465,8 +465,8 @@ TEST_F(Remesh, SecondsAddUpToTheWallTime)
 	const double total = s["total"];
 	EXPECT_NEAR(double(s["read"]) + double(s["remesh"]) + double(s["write"]), total, 1e-9);
 	EXPECT_LE(total, result.seconds);
-	// Starting and ending a process cost some milliseconds that it cannot see, more on a busy
-	// machine.
+	// The program's clock misses some milliseconds of the start and end of the process, more on a
+	// busy machine.
 	EXPECT_GE(total, 0.5 * result.seconds - 0.2);
 	EXPECT_GT(s.size(), 4u) << "no stages";
 }
@@ -518,7 +518,7 @@ TEST_F(Remesh, WhereOneHasToWaitATerminalIsToldHowLong)
 	EXPECT_EQ(runOnTerminal(command).err.find("expected about "), std::string::npos);
 	std::vector<std::string> more = command;
 	more.insert(more.end(),
-				{"--percent", "250", "--time-limit", "2"}); // told before it would be over
+				{"--percent", "250", "--time-limit", "2"}); // told before the limit
 	EXPECT_NE(runOnTerminal(more).err.find("expected about "), std::string::npos);
 	EXPECT_EQ(run(more).err.find("expected about "), std::string::npos);
 }
@@ -571,7 +571,7 @@ TEST_F(Remesh, TheTimeLimitEndsItAndLeavesTheOldFile)
 			  0);
 }
 
-/// A pipe that nobody writes to: reading it never ends.
+/// A pipe without a writer: a read never ends.
 class EndlessFile {
 public:
 	explicit EndlessFile(const std::string& path)
@@ -753,7 +753,7 @@ static std::string sphereHalfSelected()
 	return text;
 }
 
-/// How many of a mesh's vertices are in the upper half, over those in the lower one.
+/// The number of a mesh's vertices in the upper half over the number in the lower half.
 static double upperOverLower(const TestMesh& mesh)
 {
 	const auto upper = std::count_if(mesh.points.begin(), mesh.points.end(),

@@ -103,12 +103,12 @@ TEST_F(ResultTiles, TogetherAreTheResult)
 		points.insert(part.points.begin(), part.points.end());
 	}
 	EXPECT_EQ(all, trianglesOf(mesh(path("whole.ply"))));
-	EXPECT_EQ(points.size(), 2000u); // what several tiles have is the same, bit for bit
+	EXPECT_EQ(points.size(), 2000u); // common vertices of tiles are the same, bit for bit
 	EXPECT_EQ(json["vertices"], 2000);
 	EXPECT_EQ(json["faces"], 4000);
 }
 
-/// What is cut can be sewn again, by this program as by others.
+/// Tiles of a result can be sewn again.
 TEST_F(ResultTiles, AreOneSurfaceAgainAsAnInput)
 {
 	const std::string in = put("torus.ply", binaryPly(torus(60), true, false));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writing that has to end early.
+// Writing under a time limit.
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh_io.h>
@@ -19,7 +19,7 @@ using namespace gpr;
 using namespace gpr::app;
 namespace fs = std::filesystem;
 
-/// Ten seconds have passed of one.
+/// A limit of one second, of which ten have passed.
 RunLimit timeIsUp()
 {
 	return {Stopwatch(10), 1};
@@ -72,7 +72,7 @@ TEST_F(WritingUnderALimit, ItEndsWithinAMegabyteAndLeavesTheOldFile)
 	expectOldFileAlone(path);
 }
 
-/// A result smaller than a megabyte is stopped before it takes the old file's place.
+/// The limit is asked even for a small result, before the new file replaces the old file.
 TEST_F(WritingUnderALimit, EveryFormatAsksBeforeItReplacesTheOldFile)
 {
 	const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as the page of a comparison has them.
+// Meshes of the page of a comparison.
 #include "mesh_files.h"
 
 #include <vcg_extras/viewer/base64.h>
@@ -82,7 +82,7 @@ TEST(ShownMesh, LeavesOutFacesWithoutPlace)
 	const auto   whole    = std::uint32_t(mesh.faceNum());
 	const double infinite = std::numeric_limits<double>::infinity();
 	mesh.positions.push_back({0, infinite, 0});
-	mesh.positions.push_back({1e30, 0, 0}); // no face uses it
+	mesh.positions.push_back({1e30, 0, 0}); // in no face
 	mesh.triangles.insert(mesh.triangles.end(), {0, 1, std::int32_t(mesh.positions.size()) - 2});
 	mesh.triangles.insert(mesh.triangles.end(), {0, 0, 1});
 	const ShownFrame frame(mesh.view());

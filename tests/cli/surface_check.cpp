@@ -60,7 +60,7 @@ long boundaryEdgeNum(const TestMesh& mesh)
 
 long eulerCharacteristic(const TestMesh& mesh)
 {
-	// Every face has three directed edges; those without an opposite are edges of their own.
+	// Every face has three directed edges; a border edge has no opposite directed edge.
 	const long edgeNum = (long(directedEdges(mesh).size()) + boundaryEdgeNum(mesh)) / 2;
 	return long(mesh.points.size()) - edgeNum + long(mesh.faces.size());
 }

@@ -7,15 +7,15 @@
 
 namespace gpr_test {
 
-/// What a surface owes: fails the test unless every index is in range, every position finite, no
-/// face repeats a vertex, every vertex is in a face, and every edge has one face, or two that run
-/// along it in opposite directions.
+/// Fails the test unless every index is in range, every position finite, no face repeats a vertex,
+/// every vertex is in a face, and every edge has one face, or two faces with opposite directions of
+/// the edge.
 void expectManifold(const TestMesh& mesh);
 
 /// Vertices - edges + faces.
 long eulerCharacteristic(const TestMesh& mesh);
 
-/// Edges with one face.
+/// The number of edges with one face.
 long boundaryEdgeNum(const TestMesh& mesh);
 
 } // namespace gpr_test

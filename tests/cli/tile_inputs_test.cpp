@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in tiles of files that are no binary PLY files.
+// Runs in tiles of files other than binary PLY files.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The vertices in the order in which the faces name them first, and no others.
+/// The vertices of faces, in the order of their first use.
 TestMesh inOrderOfUse(const TestMesh& mesh)
 {
 	TestMesh           ordered;
@@ -34,7 +34,7 @@ TestMesh inOrderOfUse(const TestMesh& mesh)
 	return ordered;
 }
 
-/// Coloured, and with squares as faces, in the order in which PLY and OBJ files of it have them.
+/// A coloured mesh of squares, with PLY and OBJ files of the same order.
 struct SquareMesh {
 	std::vector<std::array<double, 3>> points;
 	std::vector<std::array<int, 4>>    faces;
@@ -76,7 +76,7 @@ struct SquareMesh {
 		return file;
 	}
 
-	/// With all that OBJ files may have in their lines.
+	/// With all kinds of lines of OBJ files.
 	std::string obj() const
 	{
 		std::string file = "# squares\r\nmtllib none.mtl\r\nvt 0 0\r\nvn 0 0 1\r\n";
@@ -170,7 +170,7 @@ TEST_F(TileInputs, PolygonsColoursAndAllFormsOfObjLinesComeThrough)
 		<< notes();
 }
 
-/// The corners of one place are one vertex there whichever of the two zeros they have.
+/// Corners of STL files at the same place are one vertex, with either sign of zero.
 TEST_F(TileInputs, CornersOfStlFilesAreComparedAsByTheOrdinaryReader)
 {
 	TestMesh mesh = grid(30);
@@ -270,7 +270,7 @@ TEST_F(TileInputs, WhatWasConvertedIsTestedAndNotConvertedAgain)
 	ASSERT_EQ(plan(in).exitCode, 0);
 	EXPECT_EQ(before, std::filesystem::last_write_time(path("run/input0.ply")));
 
-	std::filesystem::remove(path("run/input0.json")); // as if it had been killed
+	std::filesystem::remove(path("run/input0.json")); // as after a kill
 	ASSERT_EQ(plan(in).exitCode, 0);
 	EXPECT_EQ(made, content(path("run/input0.ply")));
 

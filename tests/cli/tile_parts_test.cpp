@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs in tiles are made from: cells, records of PLY files, borders that fit together.
+// Parts of runs in tiles: cells, records of PLY files, borders that fit together.
 #include "mesh_files.h"
 
 #include <vcg_extras/apps/gpremesh/tiles/border_split.h>
@@ -44,7 +44,7 @@ std::vector<Vec3d> randomPoints(std::size_t num)
 	return points;
 }
 
-/// A folder that is removed at the end.
+/// A folder, removed at the end.
 class Folder {
 public:
 	Folder() : path_(::testing::TempDir() + "tile_parts" + std::to_string(processId()))
@@ -199,7 +199,7 @@ TEST(TextPieces, EndAtLinesThatDoNotGoOnAndCountThem)
 			"v " + std::to_string(i) + (i % 3 ? "\n" : " \\\r\n") + std::string(i % 50, 'x') + "\n";
 	text += std::string(3000, 'y') + "\nthe last one";
 	const std::string path = folder.put("text", text);
-	TextPieces        pieces(path, 0, 0, 100); // pieces of few lines; a line that is longer
+	TextPieces        pieces(path, 0, 0, 100); // pieces of few lines, and a longer line
 	int               num = 0;
 	for (std::string_view piece = pieces.next(); !piece.empty(); piece = pieces.next()) {
 		EXPECT_EQ(pieces.linesBefore(), std::size_t(std::count(read.begin(), read.end(), '\n')));
@@ -256,7 +256,7 @@ TEST(RankedSet, CountsWhatIsBelow)
 	}
 }
 
-/// In one share, and in some twenty.
+/// As a whole, and in some twenty shares.
 TEST(ConvertBinaryStl, GivesTheSameForAnyMemory)
 {
 	const Folder           folder;
@@ -394,7 +394,7 @@ TEST(Record, TellsEveryDamage)
 	EXPECT_EQ(readJson(folder.path("absent.json")), std::nullopt);
 }
 
-// Processes of other machines may have our number, and so may one that was killed before.
+// A process of another machine, or a killed process, may have had our number.
 
 TEST(SameProcessNumber, AFileOfAnotherProcessStaysWhereItIs)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh remesh --memory and gpremesh tile as a user runs them.
+// The commands gpremesh remesh --memory and gpremesh tile.
 #include "mesh_files.h"
 #include "program_runner.h"
 
@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// Puts a mesh beside another one.
+/// Puts a mesh beside another mesh.
 void append(const TestMesh& more, TestMesh& mesh)
 {
 	const int first = int(mesh.points.size());
@@ -171,7 +171,7 @@ TEST_F(TileRun, TheOrderOfStepsAndThreadsAndRepeatsDoNotMatter)
 	runStep({"split", path("run")});
 	for (int unit : {3, 0, 4, 3, 1, 2})
 		part(unit);
-	std::filesystem::remove(path("run/part2.json")); // as if it had been killed
+	std::filesystem::remove(path("run/part2.json")); // as after a kill
 	part(2);
 	runStep({"join", path("run")});
 	runStep({"finish", path("run"), path("again.ply"), "--quiet"});
@@ -195,7 +195,7 @@ TEST_F(TileRun, OneCommandDoesAllStepsWithinItsMemory)
 	EXPECT_FALSE(exists(path("out.ply.tiles"))) << "cleared at the end";
 }
 
-/// With little memory the condensed surface has fewer vertices for one of the result.
+/// With little memory the condensed surface has fewer vertices for each vertex of the result.
 TEST_F(TileRun, WhereMemoryIsShortLessDenseTilesServe)
 {
 	const std::string in             = put("torus.ply", binaryPly(torus(400), true, false));
@@ -216,7 +216,7 @@ TEST_F(TileRun, WhereMemoryIsShortLessDenseTilesServe)
 		return report()["notes"].dump().find("The memory allows a condensed surface") !=
 			   std::string::npos;
 	};
-	// Four for one of the result, and some more at the seams.
+	// Four for each vertex of the result, and some more at the seams.
 	const double usual = joinedVertices("1G");
 	EXPECT_NEAR(usual, 86000, 5000);
 	EXPECT_FALSE(isTold());
@@ -225,7 +225,7 @@ TEST_F(TileRun, WhereMemoryIsShortLessDenseTilesServe)
 	EXPECT_GT(info(path("out.ply"))["quality"]["angles"]["min"], 30);
 }
 
-/// Coordinates as those of a map, which floats hold by a quarter of a metre.
+/// Coordinates of a map, which floats resolve to a quarter of a metre.
 TEST_F(TileRun, CoordinatesFarFromTheOriginLoseNothing)
 {
 	const TestMesh here = torus(160);
@@ -302,8 +302,8 @@ TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
 	EXPECT_EQ(facts["input"]["vertices"], 800);
 }
 
-/// Coordinates so coarse that many faces have no area, as those of a huge scan in single precision
-/// are. Where such faces lie at the border of a tile they stay as they are.
+/// Coordinates so coarse that many faces are degenerate, as in huge scans in single precision. Such
+/// faces stay unchanged at the border of a tile.
 TEST_F(TileRun, FacesWithoutAreaAtTheBorderOfATileAreNoHindrance)
 {
 	TestMesh mesh = torus(160);
@@ -324,7 +324,7 @@ TEST_F(TileRun, FacesWithoutAreaAtTheBorderOfATileAreNoHindrance)
 	EXPECT_GT(facts["quality"]["angles"]["min"], 30);
 }
 
-/// A sheet that stands on another one: each of its edges there has three faces.
+/// A sheet that stands on another sheet: the edges of the junction have three faces.
 TEST_F(TileRun, EdgesWithThreeFacesAreCutAsWithoutTiles)
 {
 	TestMesh          mesh = grid(60);
@@ -376,7 +376,7 @@ TEST_F(TileRun, AMoebiusBandOverSeveralTilesIsAsWithoutTiles)
 	expectAsWithoutTiles(put("band.ply", binaryPly(mesh, true, false)), "600");
 }
 
-/// Pieces that are smaller than the triangles of the result, wherever the seams lie.
+/// Components smaller than the triangles of the result, wherever the seams lie.
 TEST_F(TileRun, TinyPiecesAreAsWithoutTiles)
 {
 	TestMesh mesh = torus(120);
@@ -391,8 +391,8 @@ TEST_F(TileRun, TinyPiecesAreAsWithoutTiles)
 	expectAsWithoutTiles(put("pieces.ply", binaryPly(mesh, true, false)), "1500");
 }
 
-/// Boxes side by side with common walls: three or four faces at the edges of the walls. Which of
-/// them are joined when it is cut is not told by the surface, and depends on the tiles.
+/// Boxes side by side with common walls: three or four faces at the edges of the walls. The surface
+/// does not tell which of these faces stay joined after a cut; the choice depends on the tiles.
 TEST_F(TileRun, FoamLosesNoWall)
 {
 	const std::string in   = put("foam.ply", binaryPly(foam(3, 8), true, false));
@@ -407,17 +407,17 @@ TEST_F(TileRun, FoamLosesNoWall)
 TEST_F(TileRun, AShareTooSmallForTheTopologyIsRaised)
 {
 	const std::string in   = put("torus.ply", binaryPly(torus(60), true, false));
-	const TestMesh    mesh = remeshedInTiles(in, {"--percent", "0.03"}); // one vertex
+	const TestMesh    mesh = remeshedInTiles(in, {"--percent", "0.03"}); // a single vertex
 	EXPECT_GE(mesh.points.size(), 7u);
 	EXPECT_LE(mesh.points.size(), 40u);
 }
 
-/// Huge triangles beside small ones, and seams through both.
+/// Huge triangles beside small triangles, and seams through both.
 TEST_F(TileRun, LongEdgesOfSeamsLeaveNoNeedles)
 {
 	TestMesh mesh = grid(100);
 	for (auto& p : mesh.points)
-		p[0] = p[0] * p[0] * p[0]; // cells up to three times as long, and much shorter ones
+		p[0] = p[0] * p[0] * p[0]; // cells up to three times as long, and much shorter cells
 	const std::string in = put("graded.ply", binaryPly(mesh, true, false));
 	remeshedInTiles(in, {"--vertices", "3000"});
 	const Json facts = info(path("out.ply"));

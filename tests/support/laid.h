@@ -17,7 +17,7 @@
 
 namespace gpr::test {
 
-/// A fine surface and a coarse result whose vertices lie on it or near it.
+/// A fine surface, and a coarse result whose vertices lie on the surface.
 struct Laid {
 	Workers        workers;
 	Surface        surface;
@@ -67,10 +67,11 @@ struct Laid {
 		return fitToInput(surface, boundary, settings, result, workers);
 	}
 
-	/// Of the result, in the caller's units.
+	/// A vertex of the result, in units of the input.
 	Vec3d at(int v) const { return surface.frame.toCaller(result.mesh.position[v]); }
 
-	/// Root mean square distance of the input's vertices from the result, in the caller's units.
+	/// Root mean square distance from the vertices of the fine surface to the result, in units of
+	/// the input.
 	double rms()
 	{
 		const NearestOnMesh tree(result.mesh, workers);

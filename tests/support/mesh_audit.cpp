@@ -18,9 +18,9 @@ namespace {
 
 using Edge = std::pair<int, int>;
 
-/// One end of an edge in a face: from -> to.
+/// An edge of a face.
 struct EdgeUse {
-	Edge edge; ///< sorted
+	Edge edge; ///< the smaller vertex first
 	bool ascending;
 	int  face;
 
@@ -43,7 +43,7 @@ std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh)
 	return uses;
 }
 
-/// Sets that are joined by and by; parts() counts those of the members named.
+/// Disjoint sets of numbers below n (union-find).
 class Groups {
 public:
 	explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -135,8 +135,8 @@ private:
 		facts_.boundaryLoops = std::int64_t(loops.size());
 	}
 
-	/// The faces at a vertex lead from one neighbour to the next; following them from where none
-	/// leads to must pass every one of them.
+	/// Each face at a vertex leads from one neighbour to the next. The way from the neighbour
+	/// without a predecessor must pass all faces.
 	void checkFans()
 	{
 		std::vector<std::vector<Edge>> steps(mesh_.vertexNum());
@@ -233,7 +233,7 @@ SurfaceFacts factsOf(const TriangleMesh& mesh)
 
 namespace {
 
-/// Half-edges of faces that are alive, by their ends.
+/// Half-edges of faces in use, by their ends.
 std::map<Edge, int> halfEdgesByEnds(const HalfEdgeMesh& m, std::string& complaint)
 {
 	std::map<Edge, int> byEnds;

@@ -12,16 +12,16 @@
 
 namespace gpr::test {
 
-/// What a list of triangles is, worked out from the list alone: no half-edges, nothing of the
-/// engine's.
+/// Facts about a list of triangles, computed from the list alone, without half-edges and without
+/// the engine.
 struct SurfaceFacts {
 	std::int64_t indicesOutOfRange = 0;
-	std::int64_t repeatedCorners   = 0; ///< faces that name a vertex twice
+	std::int64_t repeatedCorners   = 0; ///< faces with the same vertex twice
 	std::int64_t unusedVertices    = 0;
 	std::int64_t notFinite         = 0; ///< vertices
 	std::int64_t crowdedEdges      = 0; ///< more than two faces
-	std::int64_t againstEachOther  = 0; ///< edges whose two faces run along them the same way
-	std::int64_t brokenFans        = 0; ///< vertices whose faces are not one fan or one full turn
+	std::int64_t againstEachOther  = 0; ///< edges whose two faces give the same direction
+	std::int64_t brokenFans        = 0; ///< vertices whose faces are no single fan and no full ring
 	std::int64_t duplicateFaces    = 0; ///< the same three vertices in any order
 	std::int64_t zeroAreaFaces     = 0;
 	std::int64_t usedVertices      = 0;
@@ -35,7 +35,7 @@ struct SurfaceFacts {
 	std::int64_t euler() const { return usedVertices - edges + faces; }
 	/// An oriented 2-manifold with border, shape aside.
 	bool isManifold() const;
-	/// Everything that is wrong, in words; empty for a sound surface.
+	/// A sentence of all faults; empty for a sound surface.
 	std::string complaints() const;
 };
 
@@ -44,14 +44,16 @@ SurfaceFacts factsOf(const TriangleMesh& mesh);
 /// The centroid of a face.
 Vec3d middleOf(const TriangleMesh& mesh, std::size_t face);
 
-/// A sound surface: oriented 2-manifold with border, no vertex unused, no face without area.
+/// Whether the mesh is an oriented 2-manifold with border, without unused vertices and without
+/// degenerate faces.
 ::testing::AssertionResult isSoundSurface(const TriangleMesh& mesh);
 
-/// Equal numbers of components, boundary loops and equal Euler characteristic.
+/// Equal numbers of components and border loops, and equal Euler characteristic.
 ::testing::AssertionResult hasSameTopology(const TriangleMesh& a, const TriangleMesh& b);
 
-/// The half-edge table says exactly what its triangles say: opposites found by comparing all edges,
-/// outgoing[v] leaves v and is a border wherever v has one. Dead faces and vertices are skipped.
+/// Whether the half-edge table agrees with its triangles: opposites are found by comparing all
+/// edges; outgoing[v] leaves v and is a border edge if v has a border edge. Unused faces and
+/// vertices are skipped.
 ::testing::AssertionResult isSoundTable(const HalfEdgeMesh& mesh);
 
 } // namespace gpr::test

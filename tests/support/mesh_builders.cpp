@@ -221,7 +221,7 @@ TriangleMesh moebiusStrip(int around, int across)
 				onCircle(turn, 1 + s * std::cos(pi * turn), s * std::sin(pi * turn)));
 		}
 	}
-	// The last column is the first one, upside down.
+	// The last column is the first column upside down.
 	addSquares(mesh, around, across,
 			   [&](int i, int j) { return i < around ? i * (across + 1) + j : across - j; });
 	return mesh;
@@ -321,7 +321,7 @@ TriangleMesh lPrism(int n)
 			at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] < 2 * n && at[1] < 2 * n && at[2] < n;
 		return inBox && (at[0] < n || at[1] < n);
 	};
-	/// The square between a cell and its neighbour before or behind it along an axis.
+	/// The square between a cell and its neighbour before or behind the cell along an axis.
 	const auto addSquare = [&](Place at, int axis, bool far) {
 		const int u = (axis + 1) % 3, v = (axis + 2) % 3;
 		at[axis] += far;

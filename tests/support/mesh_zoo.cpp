@@ -45,7 +45,7 @@ TriangleMesh triangularRing()
 			{0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5}};
 }
 
-/// Two tetrahedra that share vertex 0: each is closed, but the vertex has two fans.
+/// Two tetrahedra with the common vertex 0: each is closed, but the vertex has two fans.
 TriangleMesh pinchedTetrahedra()
 {
 	TriangleMesh mesh = joined(tetrahedron(), shifted(tetrahedron(), {-2, 0, 0}));

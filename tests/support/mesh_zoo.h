@@ -11,7 +11,7 @@
 
 namespace gpr::test {
 
-/// A mesh of at most 12 vertices and what is known of it without computing.
+/// A mesh of at most 12 vertices and its facts, known without computing.
 struct ZooMesh {
 	std::string  name;
 	TriangleMesh mesh;
@@ -26,7 +26,7 @@ inline std::ostream& operator<<(std::ostream& out, const ZooMesh& m)
 	return out << m.name;
 }
 
-/// The smallest meshes of every kind that a surface mesh can be.
+/// The smallest meshes of every kind.
 std::vector<ZooMesh> meshZoo();
 
 /// For the names of parametrised tests.

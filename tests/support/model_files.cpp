@@ -11,7 +11,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Of a file that gzip has made, without the end ".gz".
+/// The file of a gzip archive, written to the folder for temporary files without the end ".gz".
 ModelFile unpacked(const std::filesystem::path& packed)
 {
 	const std::string to      = ::testing::TempDir() + packed.stem().string();

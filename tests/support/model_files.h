@@ -9,19 +9,19 @@
 
 namespace gpr::test {
 
-// Real scans and parts are no part of the project: the folder that holds them is named by the
-// environment variable GPR_MODELS_DIR. One, bunny.obj, is in Debian's glmark2-data, which
-// scripts/setup installs.
+// The project contains no real scans and parts. The environment variable GPR_MODELS_DIR names their
+// folder; bunny.obj comes from Debian's package glmark2-data (scripts/setup installs the package).
 
-/// A file of that folder or package.
+/// A model file, or the reason for its absence.
 struct ModelFile {
 	std::string path;
-	std::string missing; ///< why it cannot be read; empty if it is there
+	std::string missing; ///< why the file cannot be read; else empty
 
 	bool isThere() const { return missing.empty(); }
 };
 
-/// One that ends in .gz is unpacked into the folder for temporary files.
+/// Finds a model by its name. A file with the end .gz is unpacked into the folder for temporary
+/// files.
 ModelFile findModel(const std::string& name);
 
 /// The name of a file up to the first underscore, for the names of tests.

@@ -16,7 +16,7 @@
 
 namespace gpr::test {
 
-/// A surface and a result on it.
+/// A surface and a result with the same vertices.
 struct OnSurface {
 	Workers        workers{2, nullptr};
 	Surface        surface;
@@ -41,8 +41,7 @@ struct OnSurface {
 		EXPECT_TRUE(isSoundSurface(meshOf(m())));
 		ASSERT_EQ(int(result.vertex.size()), m().vertexNum);
 	}
-	/// Every vertex lies in the face that its surface point names, and where its surface point
-	/// says.
+	/// Every vertex lies in the face of its surface point, at the place of its surface point.
 	void expectOnSurface()
 	{
 		const HalfEdgeMesh& s = surface.mesh;
@@ -56,7 +55,7 @@ struct OnSurface {
 	}
 };
 
-/// Triangles and places of what run(on, workers) makes of the mesh do not depend on the threads.
+/// run(on, workers) makes the same triangles and places with any number of threads.
 template <class Run>
 void expectSameForAnyThreads(const TriangleMesh& mesh, const Run& run)
 {
@@ -79,8 +78,7 @@ inline double turn(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 		   (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
 }
 
-/// Flips inner edges at random where the two triangles stay positive: a triangulation far from
-/// Delaunay.
+/// Flips random inner edges if both triangles stay positive: a triangulation far from Delaunay.
 inline void scramble(HalfEdgeMesh& m, Random& random)
 {
 	for (int i = 0; i < 6 * m.halfEdgeNum(); ++i) {
@@ -92,7 +90,7 @@ inline void scramble(HalfEdgeMesh& m, Random& random)
 	}
 }
 
-/// Of the corner p of a triangle.
+/// The angle at the corner p of a triangle.
 inline double angleAt(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
 	const Vec3d u = Vec3d(a) - Vec3d(p), v = Vec3d(b) - Vec3d(p);

@@ -19,7 +19,7 @@ struct NearestPair {
 
 /// The two points nearest to each other, by comparing all.
 NearestPair nearestPair(const std::vector<Vec3d>& points);
-/// How many pairs of points are nearer to each other than that, by comparing all.
+/// The number of pairs of points nearer to each other than `distance`, by comparing all.
 int pairsNearerThan(const std::vector<Vec3d>& points, double distance);
 /// Distance from p to the nearest of the points, straight through space.
 double distanceToNearest(const std::vector<Vec3d>& points, const Vec3d& p);
@@ -29,22 +29,23 @@ double distanceToTriangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const 
 double distanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b);
 double distanceToMesh(const TriangleMesh& mesh, const Vec3d& p);
 
-/// Ends of the edges with one face, two points an edge.
+/// Ends of the edges with one face, two points for each edge.
 std::vector<Vec3d> rimSegments(const TriangleMesh& mesh);
-/// Largest distance from a point of one rim (ends, and points between them) to the other rim: one
-/// way.
+/// Largest distance from one rim (ends, and points between the ends) to the other rim, in one
+/// direction.
 double rimDistance(const TriangleMesh& from, const TriangleMesh& to);
 
-/// Ends of the edges whose two faces' normals differ by more than that, two points an edge.
+/// Ends of the edges whose faces' normals differ by more than angleDeg, two points for each edge.
 std::vector<Vec3d> sharpSegments(const TriangleMesh& mesh, double angleDeg);
-/// The segments that hang together in pieces at least that long.
+/// The segments of connected pieces with a length of at least minLength.
 std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double minLength);
-/// Largest distance from a point of the one segments (ends, and points between them) to the others.
+/// Largest distance from the segments `from` (ends, and points between the ends) to the segments
+/// `to`.
 double segmentDistance(const std::vector<Vec3d>& from, const std::vector<Vec3d>& to);
 
-/// Great-circle distance on the sphere about the origin that both points lie on.
+/// Great-circle distance on the sphere about the origin with both points.
 double onSphere(const Vec3d& a, const Vec3d& b);
-/// On the cylinder of that radius about the z axis: straight on the unrolled surface.
+/// Distance on a cylinder about the z axis: straight on the unrolled surface.
 double onCylinder(const Vec3d& a, const Vec3d& b, double radius);
 
 } // namespace gpr::test

@@ -10,7 +10,8 @@
 
 namespace gpr::test {
 
-/// Random numbers that are the same with every standard library: raw mt19937 output, mapped here.
+/// Random numbers that are the same with every standard library: raw output of mt19937, scaled
+/// here.
 class Random {
 public:
 	explicit Random(std::uint32_t seed) : seed_(seed), generator_(seed) {}
@@ -35,8 +36,8 @@ private:
 	std::mt19937  generator_;
 };
 
-/// The seeds of a random test: n in a row from 1, or from the environment variable GPR_TEST_SEED.
-/// GPR_TEST_SEED_FACTOR multiplies their number; scripts/soak/random_tests sets it.
+/// The seeds of a random test: n numbers from 1 on, or from the environment variable GPR_TEST_SEED
+/// on. GPR_TEST_SEED_FACTOR multiplies n; scripts/soak/random_tests sets the factor.
 std::vector<std::uint32_t> testSeeds(int n);
 
 } // namespace gpr::test

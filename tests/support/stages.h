@@ -15,27 +15,27 @@
 
 namespace gpr::test {
 
-// Ways into the middle of the engine, and out of it again.
+// Ways into the middle of the engine, and out of the engine again.
 
-/// The mesh as loadInput takes it over.
+/// The mesh after loadInput.
 IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
 /// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
 Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
-/// Per half-edge: whether the faces at its edge turn by more than that.
+/// For each half-edge: whether the faces at its edge turn by more than `degrees`.
 Buffer<char> edgesThatTurn(const Surface& surface, double degrees);
-/// Orders a mesh and repairs it, even where it is manifold.
+/// Orders a mesh and repairs the mesh, even if the mesh is manifold.
 void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
 /// must be manifold. There is room for as many more vertices and faces as asked.
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);
 HalfEdgeMesh copyOf(const HalfEdgeMesh& mesh);
 
-/// A result whose vertices are those of the surface, each where it is: the start of tests of the
-/// stages that improve a result. Border vertices know their curve.
+/// A result with the surface's vertices at their places: the start of tests of the stages that
+/// improve a result. Border vertices know their curve.
 ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary);
 
-/// The triangles that are alive, in working coordinates, with unused vertices left out.
+/// The triangles in use, in working coordinates, without unused vertices.
 TriangleMesh meshOf(const HalfEdgeMesh& mesh);
 TriangleMesh meshOf(const IndexedMesh& mesh);
 

@@ -13,28 +13,28 @@ TriangleMesh shifted(const TriangleMesh& mesh, const Vec3d& by);
 TriangleMesh scaled(const TriangleMesh& mesh, double factor);
 /// About an axis through the origin, which need not have length 1.
 TriangleMesh rotated(const TriangleMesh& mesh, const Vec3d& axis, double angleRad);
-/// Both meshes as one; they share nothing.
+/// Both meshes as one mesh without common vertices.
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 /// The same surface with vertices and faces in random order and each face's first corner at random.
 TriangleMesh shuffled(const TriangleMesh& mesh, Random& random);
 /// Every face turned over.
 TriangleMesh insideOut(const TriangleMesh& mesh);
-/// With vertices of their own for the faces of each part; partOf: one number a face.
+/// The mesh with separate vertices for the faces of each part; partOf: a number for each face.
 TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf);
 /// The sides of a cube, each with vertices of its own.
 TriangleMesh cubeOfSides(int n);
-/// A square in the plane through the z axis at that angle; a side of it lies on the axis.
+/// A square in the plane through the z axis at angleRad; a side of the square lies on the axis.
 TriangleMesh page(int n, double angleRad);
-/// Inner vertex v made two at one place, joined by an edge: a hole of three edges without area, and
-/// a face without area on the other side of the edge.
+/// Doubles the inner vertex v and joins both vertices by an edge: on one side of the edge is a hole
+/// of three edges without area, on the other side a degenerate face.
 TriangleMesh withSlit(const TriangleMesh& mesh, int v);
-/// The middle of the edge from corner `at`, a place in the list of corners, becomes a vertex of
-/// this face alone: between it and the face beyond the edge comes one without area.
+/// Makes the middle of the edge from corner `at` (place in the list of corners) a vertex of this
+/// face alone, with a degenerate face between the middle and the face beyond the edge.
 TriangleMesh withFlatFace(const TriangleMesh& mesh, std::size_t at);
-/// Without the vertices that are in no face.
+/// The mesh without vertices outside of faces.
 TriangleMesh withoutUnused(const TriangleMesh& mesh);
 
-/// The same mesh in single precision, as most readers deliver it.
+/// A mesh in single precision, as most readers deliver.
 struct FloatMesh {
 	std::vector<Vec3f>        positions;
 	std::vector<std::int32_t> triangles;
