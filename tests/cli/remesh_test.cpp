@@ -517,8 +517,7 @@ TEST_F(Remesh, WhereOneHasToWaitATerminalIsToldHowLong)
 	const std::vector<std::string> command = {"remesh", in, path("out.ply"), "--threads", "1"};
 	EXPECT_EQ(runOnTerminal(command).err.find("expected about "), std::string::npos);
 	std::vector<std::string> more = command;
-	more.insert(more.end(),
-				{"--percent", "250", "--time-limit", "2"}); // told before the limit
+	more.insert(more.end(), {"--percent", "250", "--time-limit", "2"}); // told before the limit
 	EXPECT_NE(runOnTerminal(more).err.find("expected about "), std::string::npos);
 	EXPECT_EQ(run(more).err.find("expected about "), std::string::npos);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's placement through the engine's front door: it is a Poisson-disk sampling, and whole
-// runs with it keep every promise.
+// The placement of the paper through the facade of the engine: the result is a Poisson-disk
+// sampling, and whole runs keep every promise.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -101,7 +101,7 @@ TEST_P(BorderEdgeShapes, ThePaperAsWrittenLandsNearTheTarget)
 	EXPECT_NEAR(double(r.mesh.vertexNum()) / double(r.report.targetVertexNum), 0.92, 0.1);
 }
 
-/// What eq. (1) alone came to is told, with the constant that would have hit: with it, it does.
+/// The report names the constant of eq. (1) with which the count would have met the target.
 TEST(BorderEdge, TellsTheConstantThatWouldHaveHitTheTarget)
 {
 	RemeshOptions      options = borderEdges(20, 1);
@@ -115,15 +115,14 @@ TEST(BorderEdge, TellsTheConstantThatWouldHaveHitTheTarget)
 	EXPECT_EQ(remesh(icosphere(5).view(), options).report.radiusConstantForTarget, 0);
 }
 
-/// §4 of the paper: the input should have double the vertices of the output; edges are split until
-/// it has.
+/// §4 of the paper: the input should have double the vertices of the output, else edges are split.
 TEST(BorderEdge, SplitsEdgesWhereTheTargetIsAboveHalfOfTheInput)
 {
 	const TriangleMesh mesh = icosphere(4);
 	for (double percent : {20.0, 60.0, 100.0, 200.0}) {
 		const RemeshResult r = remesh(mesh.view(), borderEdges(percent, 1));
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
-		// Each split of an inner edge makes one vertex.
+		// Each split of an inner edge makes a vertex.
 		const double worked = double(mesh.vertexNum()) + double(r.report.cleaned.longEdgesSplit);
 		EXPECT_GE(worked, 1.9 * double(r.report.targetVertexNum)) << percent << " %";
 		EXPECT_EQ(r.report.cleaned.longEdgesSplit > 0, percent > 50) << percent << " %";
@@ -131,7 +130,7 @@ TEST(BorderEdge, SplitsEdgesWhereTheTargetIsAboveHalfOfTheInput)
 	}
 }
 
-/// Each choice that the paper leaves to the user does something of its own.
+/// Smoothing steps and flips, a choice of the user in the paper, both have an effect.
 TEST(BorderEdge, SmoothingAndFlipsAreThoseAskedFor)
 {
 	const TriangleMesh mesh      = torus(90, 46);
@@ -168,7 +167,7 @@ TEST(BorderEdge, TheSameBytesForAnyNumberOfThreads)
 	EXPECT_FALSE(remesh(mesh.view(), options).mesh.positions == one.mesh.positions);
 }
 
-/// The other sheet is near through space and far on the surface: it must not count.
+/// The other sheet is near through space and far on the surface: only the latter counts.
 TEST(BorderEdge, DoesNotLeakFromSheetToSheet)
 {
 	const double       gap    = 0.02;

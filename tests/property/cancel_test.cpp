@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Progress is told truly, and a callback that returns false ends the run soon and in order.
+// Progress is reported as the work proceeds, and a callback with the answer false ends the run
+// soon.
 
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/core/remesh.h>
@@ -75,7 +76,7 @@ TEST(Progress, TheCallbackDoesNotChangeTheResult)
 
 class CancelAfter : public ::testing::TestWithParam<std::uint32_t> {};
 
-/// At a random moment of the run, on a clean mesh and on one that is repaired first.
+/// At a random moment of the run, on a clean mesh and on a mesh that needs a repair.
 TEST_P(CancelAfter, ARandomTimeEndsSoonWithNothingHandedOut)
 {
 	Random random(GetParam());

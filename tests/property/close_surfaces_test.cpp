@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole runs where surfaces come close to each other or to a point: no faces intersect, and
-// noise makes no lines.
+// Whole runs with surfaces close to each other or flattened: no faces intersect, and noise makes no
+// feature lines.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -21,7 +21,8 @@ namespace gpr::test {
 
 namespace {
 
-/// A ridge bent over y under a flat sheet that is nearer than the triangles would rise by the fit.
+/// A ridge, curved along x, under a flat sheet. The fit would raise the triangles of the ridge by
+/// more than the gap.
 TriangleMesh ridgeUnderSheet(double gap)
 {
 	TriangleMesh ridge = grid(100, 100);
@@ -92,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
 					  Shape{"noisySphere", roughSphere, 800, false}),
 	[](const auto& shape) { return shape.param.name; });
 
-/// Its creases lie one on the other and in a line, and hold faces without area.
+/// A sphere pressed flat: its creases lie on each other and in a line, with degenerate faces
+/// between.
 TEST(FoldedFlat, TrianglesHaveAnArea)
 {
 	for (const std::uint32_t seed : {1u, 2u}) {
@@ -110,11 +112,11 @@ TEST(FoldedFlat, TrianglesHaveAnArea)
 
 namespace {
 
-/// A grid whose edges on the border are twice as long as those inside.
+/// A grid with edges twice as long on the border as inside.
 TriangleMesh gridWithCoarseBorder(int n)
 {
 	TriangleMesh mesh = grid(n, n);
-	// Every second vertex of the border goes to the one before it.
+	// Every second vertex of the border moves to the vertex before.
 	std::map<std::pair<double, double>, std::int32_t> at;
 	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
 		at[{std::round(n * mesh.positions[v].x), std::round(n * mesh.positions[v].y)}] =
@@ -147,7 +149,7 @@ TriangleMesh wavySheets()
 	return joined(sheet, shifted(sheet, {0, 0, 0.0004}));
 }
 
-/// By their ends.
+/// Border edges by their ends.
 std::set<std::pair<std::int32_t, std::int32_t>> borderEdgesOf(const TriangleMesh& mesh)
 {
 	std::map<std::pair<std::int32_t, std::int32_t>, int> faceNum;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether the density of the result goes with curvature or region as it was asked to.
+// Whether the density of the result follows curvature or region as the options ask.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -42,7 +42,7 @@ Shares measuredShares(const TriangleMesh& mesh)
 	return share;
 }
 
-/// Share of the samples where their density goes with the stretch squared.
+/// Shares of the samples for a density in proportion to the stretch squared.
 template <class Stretch>
 Shares expectedShares(const Stretch& stretch)
 {
@@ -101,7 +101,8 @@ TEST_P(DensityGoesWithCurvature, AsTheStretchSquared)
 
 INSTANTIATE_TEST_SUITE_P(Lambda, DensityGoesWithCurvature, ::testing::Values(0, 2, 5, 20));
 
-/// The bands are narrow enough: what fits a weight of 20 does not fit an even density.
+/// The bands are narrow enough: the shares for a weight of 20 are outside of the bands of an even
+/// density.
 TEST(DensityGoesWithCurvature, AndTheTestWouldTell)
 {
 	const double r     = evenRadius(4 * pi * pi * tube, 4000);
@@ -110,7 +111,7 @@ TEST(DensityGoesWithCurvature, AndTheTestWouldTell)
 	EXPECT_GT(std::abs(steep[partNum - 1] / even[partNum - 1] - 1), 0.2);
 }
 
-/// The paper's placement is a matter of luck: a mean over seeds says more.
+/// Single runs of the paper's placement differ by chance: the mean over seeds is compared.
 TEST(DensityAsPrinted, GoesWithTheStretchSquared)
 {
 	constexpr int      seedNum = 4;
@@ -129,8 +130,8 @@ TEST(DensityAsPrinted, GoesWithTheStretchSquared)
 	expectNear(mean, expectedShares([](double h) { return 1 + 2 * h; }), 0.15);
 }
 
-/// Of the stretch 1 + λH on the torus: the least, the mean over the vertices, which lie evenly
-/// round the tube, and the mean of the squares over the area.
+/// The stretch 1 + λH on the torus: the least, the mean over the vertices, which lie evenly round
+/// the tube, and the mean of the squares over the area.
 struct StretchFigures {
 	double least = 1e30, vertexMean = 0, areaMeanOfSquares = 0;
 };
@@ -152,9 +153,9 @@ StretchFigures stretchFigures(double lambda)
 	return figures;
 }
 
-/// Eq. (5) of the paper. The mean over vertices is not what would hit the count: the root of the
-/// mean square over the area would, which is a tenth larger here. So the paper's form overshoots,
-/// by as much as its radius is too small, squared.
+/// Eq. (5) of the paper takes the mean over the vertices. The root of the mean square over the area
+/// would meet the count, and is a tenth larger here. So the paper's form overshoots by the square
+/// of the ratio of both.
 TEST(DensityAsPrinted, SetsTheRadiusOfEquation5)
 {
 	constexpr double   lambda  = 4;
@@ -169,7 +170,7 @@ TEST(DensityAsPrinted, SetsTheRadiusOfEquation5)
 	ASSERT_EQ(dense.status, Status::Ok) << dense.message;
 
 	const StretchFigures s = stretchFigures(lambda);
-	// The report has the radius of the largest disk, which is where the stretch is least.
+	// The report has the radius of the largest disk, at the least stretch.
 	const double radius = dense.report.diskRadius * s.least;
 	EXPECT_NEAR(radius / even.report.diskRadius, s.vertexMean, 0.04 * s.vertexMean);
 	const double overshoot = s.areaMeanOfSquares / (s.vertexMean * s.vertexMean);
@@ -194,7 +195,7 @@ TEST(DensityAsPrinted, KnowsNoAdaptivity)
 	EXPECT_EQ(with.notes.size(), without.notes.size() + 1);
 }
 
-/// What is stretched by next to nothing is sampled as what is not stretched.
+/// A tiny λ gives about as many samples as λ = 0.
 TEST(DensityAsPrinted, BeginsWhereThereIsNone)
 {
 	const TriangleMesh ball    = icosphere(5);
@@ -207,8 +208,8 @@ TEST(DensityAsPrinted, BeginsWhereThereIsNone)
 	EXPECT_NEAR(double(little.report.sampleNum) / double(none.report.sampleNum), 1, 0.005);
 }
 
-/// Noise is not curvature: H is averaged over a disk, so that eq. (4) neither splits the mesh to
-/// dust nor lets single disks run over everything.
+/// Noise is no curvature: H is a mean over a disk. So eq. (4) neither splits the mesh to dust nor
+/// makes huge single disks.
 TEST(DensityAsPrinted, LandsNearTheTargetOnANoisySurface)
 {
 	Random             random(5);
@@ -224,7 +225,7 @@ TEST(DensityAsPrinted, LandsNearTheTargetOnANoisySurface)
 	EXPECT_LT(result.report.cleaned.longEdgesSplit, 5000);
 }
 
-/// A torus whose tube is thin on one side.
+/// A torus with a tube that is thin on one side.
 TriangleMesh ringWithThinSide()
 {
 	TriangleMesh mesh = torus(300, 60, 1, 0.3);
@@ -260,7 +261,7 @@ TEST(DensityByError, LowersTheLargeDistancesAtTheSameNumber)
 	}
 }
 
-/// A rim holds fewer disks than its area lets expect. Splits would make up for them elsewhere.
+/// A rim holds fewer disks than its area suggests; splits would add the missing samples elsewhere.
 TEST(DensityByError, SamplesComeToTheCountWhereSizesFollowTheErrorMost)
 {
 	TriangleMesh lens = icosphere(5);

@@ -45,7 +45,7 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape)
 	return out << shape.name;
 }
 
-/// Large enough for several blocks, so that threads have something to share.
+/// Large enough for several blocks, so several threads have work.
 std::vector<Shape> shapes()
 {
 	Random random(1);

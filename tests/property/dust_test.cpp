@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Components that become tetrahedra, as the dust of a scan does, do not come out inside out.
+// Components of a scan's dust that become tetrahedra do not turn inside out.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
@@ -36,7 +36,7 @@ TriangleMesh flatBlobs()
 	return all;
 }
 
-/// Tetrahedra with a volume below 0. The blob of a vertex is where it lies.
+/// The number of tetrahedra with a negative volume; the place of a vertex tells its blob.
 int insideOutNum(const TriangleMesh& mesh)
 {
 	double volume[blobNum] = {};

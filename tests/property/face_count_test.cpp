@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A number of faces: exactly so many, or a refusal that names two numbers that can be had.
+// A number of faces: exactly this number, or a refusal that names two possible numbers.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -51,7 +51,7 @@ std::vector<Shape> shapes()
 			{"gridWithHoles", withHoles(grid(30, 30), 2, random), false}};
 }
 
-/// The numbers that a refusal names after its first clause.
+/// The numbers after the first clause of a refusal.
 std::vector<std::int64_t> namedIn(const std::string& message)
 {
 	const std::string         tail = message.substr(message.find(';') + 1);
@@ -106,8 +106,8 @@ TEST_P(FaceCount, TheNearestIsTakenWhereThatIsAllowed)
 INSTANTIATE_TEST_SUITE_P(, FaceCount, ::testing::ValuesIn(shapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 
-/// The number is told, and a finer detail has more. A surface that is bent everywhere alike has its
-/// error everywhere, and so more of it than others.
+/// A note tells the number, and a finer detail has more vertices. A sphere has its error
+/// everywhere, so its error is larger than the error of other meshes.
 TEST(CountOfADetail, IsForecastAndTold)
 {
 	const TriangleMesh mesh = icosphere(5);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sharp edges of the input are edges of the result, whole, and there are no others.
+// Crease edges of the input are edges of the result, whole, and no further crease edges appear.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -20,7 +20,7 @@ namespace {
 struct Shape {
 	const char*                   name;
 	std::function<TriangleMesh()> make;
-	double tolerance; ///< of the lines, mesh units: nothing for straight ones
+	double tolerance; ///< of the lines, mesh units; only rounding for straight lines
 };
 
 std::ostream& operator<<(std::ostream& out, const Shape& shape)
@@ -52,7 +52,8 @@ TEST_P(FeatureLines, AreInTheResultAndNoOthers)
 		EXPECT_TRUE(isSoundSurface(r.mesh));
 		EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
 		EXPECT_EQ(r.report.audit.invertedFaces, 0);
-		// With few vertices the rim of the thin plate has one note: how many would be regular.
+		// With few vertices a note names the number with which the rim of the thin plate would be
+		// regular.
 		EXPECT_EQ(r.notes.size(), std::size_t(r.report.regularVertexNum > 0 ? 1 : 0));
 		const std::vector<Vec3d> lines = sharpSegments(mesh, 40);
 		ASSERT_FALSE(lines.empty());
@@ -61,7 +62,7 @@ TEST_P(FeatureLines, AreInTheResultAndNoOthers)
 	}
 }
 
-/// The paper's removal of vertices does not follow lines, and says so where they are asked for.
+/// The paper's removal of vertices follows no lines; a note says so if the options ask for lines.
 TEST_P(FeatureLines, AreNotFollowedByThePaper)
 {
 	const TriangleMesh mesh = GetParam().make();
@@ -146,7 +147,7 @@ TEST(ConeApex, IsAVertexOfTheResult)
 	}
 }
 
-/// Fewer vertices than the lines need: the lines go, the count stays.
+/// With fewer vertices than the lines need, the lines go, and the count stays.
 TEST(FeatureLinesTooMany, AreGivenUp)
 {
 	for (int vertexNum : {4, 5, 8, 9, 12, 20}) {

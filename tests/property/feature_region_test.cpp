@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A feature region is preserved (paper §3.1.1) as it was asked to be, by the default and by the
+// A feature region is preserved (paper §3.1.1) as the options ask, with the presets default and
 // paper.
 
 #include <tests/support/mesh_audit.h>
@@ -50,7 +50,7 @@ std::vector<Vec3d> featuresOf(const TriangleMesh& mesh)
 	return points;
 }
 
-/// Largest distance from a point of the list to the nearest of the others.
+/// Largest distance from a point of `points` to the nearest point of `others`.
 double largestGap(const std::vector<Vec3d>& points, const std::vector<Vec3d>& others)
 {
 	double largest = 0;
@@ -80,7 +80,7 @@ TEST(KeptRegion, EveryVertexStays)
 
 class FeatureRegionWay : public ::testing::TestWithParam<Preset> {};
 
-/// The crease is a line that nothing else follows here: its samples lie on it.
+/// Only the region follows the crease here: its samples lie on the crease.
 TEST_P(FeatureRegionWay, TheRegionIsSampledFirst)
 {
 	const TriangleMesh mesh = bentSheet(60, 1.2);
@@ -99,7 +99,7 @@ TEST_P(FeatureRegionWay, TheRegionIsSampledFirst)
 		EXPECT_GT(along[i] - along[i - 1], 0.9 * disk);
 		EXPECT_LT(along[i] - along[i - 1], 2.1 * disk);
 	}
-	// Without a region none lies on the line but by chance and at its ends.
+	// Without a region, samples lie on the line only by chance and at its ends.
 	o.featureRegion             = FeatureRegion::None;
 	const SamplingResult plain  = samplePoissonDisks(mesh.view(), o);
 	const auto           onLine = [](const Vec3d& p) { return std::abs(p.x - 0.5) < 1e-5; };
@@ -114,7 +114,7 @@ TEST_P(FeatureRegionWay, SharpEdgesAreNearerWithARegion)
 		const auto               gap      = [&](RemeshOptions o) {
             o.preset   = GetParam();
             double sum = 0;
-            // The paper's placement is a matter of luck: a mean over seeds says more.
+            // Single runs of the paper's placement differ by chance: several seeds are tested.
             for (o.seed = 1; o.seed <= 3; ++o.seed) {
                 const RemeshResult r = remesh(mesh.view(), o);
                 EXPECT_EQ(r.status, Status::Ok) << r.message;
@@ -141,8 +141,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, FeatureRegionWay,
 
 class AnyRegion : public ::testing::TestWithParam<std::uint32_t> {};
 
-/// Of any surface, sound or damaged, any part: a sound mesh, or a sentence. Only what was made of a
-/// damaged one may be withheld by the audit.
+/// Any part of any surface, sound or damaged, gives a sound mesh or a sentence. The audit may
+/// withhold only results of damaged meshes.
 TEST_P(AnyRegion, GivesASoundMeshOrASentence)
 {
 	Random random(GetParam());
@@ -250,7 +250,7 @@ TEST(DetectedRegion, ThresholdsAreObeyedAndNothingFoundIsTold)
 	EXPECT_TRUE(sameBytes(remesh(mesh.view(), o), r));
 }
 
-/// The surface is prepared again where more vertices are needed than were asked for.
+/// The surface is prepared again, for more vertices than the options ask for.
 TEST(DetectedRegion, IsToldOnce)
 {
 	const TriangleMesh mesh = cube(12);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What feature detection promises of any mesh.
+// Promises of feature detection for any mesh.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
@@ -81,7 +81,7 @@ TEST(FeatureInvariance, UnitsThatArePowersOfTwoChangeNoBit)
 	}
 }
 
-/// Creases that are well above the thresholds; shapes close to them may go either way.
+/// Creases well above the thresholds; the answer for shapes close to the thresholds may change.
 class FeatureMotion : public ::testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(FeatureMotion, TurningShiftingAndAnyUnitKeepTheFeatures)
@@ -97,7 +97,8 @@ TEST_P(FeatureMotion, TurningShiftingAndAnyUnitKeepTheFeatures)
 		ASSERT_EQ(b.status, Status::Ok) << b.message;
 		EXPECT_EQ(edgesOf(a), edgesOf(b));
 		EXPECT_EQ(a.vertexFeature, b.vertexFeature);
-		// A ray through a vertex passes it on one side or the other: now and then that shows.
+		// A ray through a vertex passes on one side or the other, which now and then changes a
+		// strength.
 		std::size_t differ = 0;
 		for (std::size_t v = 0; v < a.vertexStrength.size(); ++v)
 			differ += std::abs(a.vertexStrength[v] - b.vertexStrength[v]) > 0.5;
@@ -125,8 +126,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, FeatureMotion, ::testing::ValuesIn(testSeeds(4))
 
 class FeatureSoundness : public ::testing::TestWithParam<std::uint32_t> {};
 
-/// Of any mesh, sound or damaged: values in range, marks that agree with each other and with the
-/// counts, edges that are edges of the mesh, input untouched.
+/// For any mesh, sound or damaged: values in range, marks in agreement with each other and with the
+/// counts, edges of the mesh, input untouched.
 TEST_P(FeatureSoundness, MarksAgreeWithEachOther)
 {
 	Random random(GetParam());

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where a mesh lies, how large it is and how it is numbered must not matter: the result differs,
-// its statistics do not.
+// Another place, size or numbering of the mesh changes the result, but not the statistics of the
+// result.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -92,8 +92,7 @@ TEST_P(Invariance, ClosedWithCreases)
 	expectSameStatistics(cube(30), 20, 0.015, 15);
 }
 
-/// Wider: whether the front closes in squares or in triangles between straight rims is a matter of
-/// luck.
+/// A wider band: by chance the front closes in squares or in triangles between straight rims.
 TEST_P(Invariance, Open)
 {
 	expectSameStatistics(openCylinder(70, 70, 0.5, 1.5), 20, 0.02, 25);
@@ -118,8 +117,8 @@ TEST(Precision, FloatInputGivesTheSameAsItsExactDoubles)
 	EXPECT_TRUE(a.mesh.positions == b.mesh.positions);
 }
 
-/// A scan at UTM coordinates keeps millimetres: the result lies on the surface to what float
-/// resolves of the surface's own size, not of its place.
+/// A scan at UTM coordinates keeps millimetres: the result lies on the surface up to the rounding
+/// of floats at the size of the surface, not at its place.
 TEST(Precision, FarAwayNothingIsLost)
 {
 	const Vec3d        offset(455123.25, 4978321.5, 812.75);
@@ -135,8 +134,8 @@ TEST(Precision, FarAwayNothingIsLost)
 	}
 }
 
-/// So far out the places of doubles lie an eighth of a unit apart, and corners of small triangles
-/// fall together or in line.
+/// At this place neighbouring doubles are an eighth of a unit apart, and corners of small triangles
+/// coincide or lie in a line.
 TEST(FarOffset, WhatRoundingSpoilsIsWithheld)
 {
 	const TriangleMesh mesh     = shifted(grid(32, 32, 4, 4), {1e15, 1e15, 0});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets that meet in junctions: they keep them, and share their vertices. All is worked out from
-// the list of triangles alone.
+// Sheets with junctions: results keep the junctions, and sheets share vertices there. All facts are
+// computed from the list of triangles alone.
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
 #include <vcg_extras/core/remesh.h>
@@ -26,7 +26,7 @@ struct Complex {
 	std::vector<std::int32_t> region;
 };
 
-/// What a list of triangles says of its junctions.
+/// Facts about the junctions of a list of triangles.
 struct JunctionFacts {
 	int    sheets = 0, points = 0, lines = 0, openEdges = 0;
 	double length = 0; ///< of the edges with more than two faces
@@ -66,7 +66,7 @@ int setNum(std::vector<int>& parent, const std::set<int>& of)
 	return int(roots.size());
 }
 
-/// Lines are counted as those between points: half the edges that end there, and loops.
+/// The number of lines is half the number of line ends at points, and the number of loops.
 JunctionFacts factsOfJunctions(const TriangleMesh& mesh)
 {
 	JunctionFacts                   facts;
@@ -101,7 +101,7 @@ JunctionFacts factsOfJunctions(const TriangleMesh& mesh)
 	return facts;
 }
 
-/// Edges of the faces round a label that are not matched by one that runs the other way.
+/// The number of edges of the faces round a label without a matching edge in the other direction.
 int openEdgesOf(const TriangleMesh& mesh, const std::vector<std::int32_t>& region, int label)
 {
 	std::map<Edge, int> balance;
@@ -118,8 +118,8 @@ int openEdgesOf(const TriangleMesh& mesh, const std::vector<std::int32_t>& regio
 		std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
 }
 
-/// Walls between blocks of voxels with different labels, 0 outside; each runs from the lower label
-/// to the higher one, and has the region 100 lower + higher.
+/// Walls between blocks of voxels with different labels, 0 outside. Each wall separates the lower
+/// from the higher label, and has the region 100 lower + higher.
 class Walls {
 public:
 	template <class LabelAt>
@@ -198,7 +198,7 @@ Complex randomCells(int size, Random& random)
 		.take();
 }
 
-/// Two cubes with an edge in common, or a corner where isCorner.
+/// Two cubes with a common edge, or with a common corner if isCorner.
 Complex touchingCubes(int size, bool isCorner)
 {
 	return Walls(2 * size,
@@ -295,7 +295,7 @@ TEST(Junctions, RandomCellsStayClosed)
 
 TEST(Junctions, AWishTakesMoreVerticesWhereSheetsWouldIntersect)
 {
-	// Two rooms of flat walls: an error needs no more vertices than fewer than the sheets need.
+	// Two rooms of flat walls: the error alone would need fewer vertices than the sheets.
 	const Complex rooms = Walls(2, [](const std::array<int, 3>& cell) {
 							  return cell[1] == 0 && cell[2] == 0 ? 1 + cell[0] : 0;
 						  }).take();

@@ -265,7 +265,7 @@ TEST(PeriodicBorder, WithoutABorderOrWithAnotherPeriodItIsRefused)
 	options.period = {0, 1.5, 0};
 	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status,
 			  Status::UnusableInput);
-	for (const double tiny : {1e-20, 1e-300, 0.1}) { // of the last one there are ten in a row
+	for (const double tiny : {1e-20, 1e-300, 0.1}) { // 0.1 fits ten times into the side
 		options.period = {0, tiny, 0};
 		EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status,
 				  Status::UnusableInput);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Runs on a surface that was prepared once have the bytes of runs from nothing, and end soon when
-// told to.
+// Runs on a prepared surface have the bytes of runs without preparation, and end soon after a stop
+// request.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/run_options.h>
@@ -26,7 +26,7 @@ namespace {
 struct Shape {
 	std::string               name;
 	TriangleMesh              mesh;
-	std::vector<std::uint8_t> selectedFace; ///< about half of them
+	std::vector<std::uint8_t> selectedFace; ///< about half of the faces
 
 	MeshView view() const
 	{
@@ -147,7 +147,7 @@ void expectSame(const RemeshResult& a, const RemeshResult& b)
 
 class Prepared : public ::testing::TestWithParam<Shape> {};
 
-/// One surface for all runs, in this order, each with another number of threads than the last.
+/// One surface for all runs, in this order, each with another number of threads.
 TEST_P(Prepared, RunsHaveTheBytesOfRunsFromNothing)
 {
 	const MeshView  view = GetParam().view();
@@ -178,7 +178,7 @@ TEST(PreparedSurface, WhatIsPreparedBeforehandIsNotMadeAgain)
 	const RemeshResult prepared = surface.prepare(options);
 	ASSERT_EQ(prepared.status, Status::Ok) << prepared.message;
 	EXPECT_EQ(prepared.mesh.vertexNum(), 0u);
-	// What is made once is a matter of stages, and those of a run tell what it did itself.
+	// The stages of a preparation are not among the stages of a later run.
 	const auto secondsOf = [](const RemeshResult& r, const std::string& stage) {
 		double seconds = -1;
 		for (const StageTime& s : r.report.stages)
@@ -253,7 +253,7 @@ TEST(PreparedSurface, CallsOfSeveralThreadsWaitForEachOther)
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds from the request to the return; below 0 where the run had ended before.
+/// Seconds from the request to the return; below 0 after the end of the run.
 double secondsToStop(PreparedSurface& surface, const RemeshOptions& options, double delay)
 {
 	StopRequest             stop{false};
@@ -272,7 +272,7 @@ double secondsToStop(PreparedSurface& surface, const RemeshOptions& options, dou
 	return std::chrono::duration<double>(returned - asked).count();
 }
 
-/// The limit is generous, for loaded machines; what was measured is printed.
+/// The limit is generous, for loaded machines; the test prints the measured times.
 TEST(PreparedSurface, ARunStopsSoonAndLeavesTheSurfaceAsItWas)
 {
 	constexpr double   maxSeconds = 1;
@@ -285,7 +285,7 @@ TEST(PreparedSurface, ARunStopsSoonAndLeavesTheSurfaceAsItWas)
 	ASSERT_EQ(whole.status, Status::Ok);
 	std::vector<double> seconds;
 	for (int i = 0; i < 24; ++i) {
-		// At moments spread over the whole run, and in a surface that knows nothing yet.
+		// At moments spread over the whole run; every fourth time with a fresh surface.
 		PreparedSurface  fresh(mesh.view());
 		PreparedSurface& of      = i % 4 == 0 ? fresh : surface;
 		const double     delay   = whole.report.remeshSeconds * (i + 0.5) / 24;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The promises of README.md and vcg_extras/docs/guarantees.md that no other test names: one test
-// each, on meshes of every kind and with every preset. What they are held against shares nothing
-// with the engine. guarantees.md lists all promises with their tests.
+// Promises of README.md and vcg_extras/docs/guarantees.md without a test elsewhere: a test for
+// each, on meshes of every kind and with every preset. The checks share nothing with the engine.
+// guarantees.md lists all promises with their tests.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -110,7 +110,7 @@ TEST_P(Promise, ExactlyTheNumberOfVerticesAskedFor)
 	}
 }
 
-/// "An oriented 2-manifold": no duplicate face, no face without area, no NaN.
+/// "An oriented 2-manifold": no duplicate face, no degenerate face, no NaN.
 TEST_P(Promise, AnOriented2Manifold)
 {
 	const TriangleMesh mesh = input();
@@ -162,8 +162,9 @@ TEST_P(Promise, TheSameBytesWithAnyNumberOfThreads)
 	}
 }
 
-/// "Without the fit, every vertex lies on the input's surface". The umbrella of the paper walks on
-/// the surface too. Measured to the nearest face of all; rounding is that of floats.
+/// Without the fit, every vertex lies on the surface of the input; the paper's umbrella steps stay
+/// on the surface, too. Distances are measured to the nearest of all faces, with a bound for the
+/// rounding of floats.
 TEST_P(Promise, EveryVertexOnTheSurfaceWithoutTheFit)
 {
 	const TriangleMesh mesh   = input();
@@ -199,8 +200,8 @@ double farthestEnd(const std::vector<Vec3d>& ends, const std::vector<Vec3d>& seg
 	return farthest;
 }
 
-/// "Vertices of sharp edges leave these by at most 8 % of the wanted edge length". Border.* in
-/// remesh_test.cpp holds borders to the same.
+/// Vertices of feature lines leave the line by at most 8 % of the wanted edge length. Border.* in
+/// remesh_test.cpp tests borders.
 TEST(PromiseOfSharpEdges, VerticesLeaveThemByAtMostEightPercentOfAnEdge)
 {
 	const TriangleMesh tin = closedCylinder(120, 60, 0.5, 1);
@@ -224,8 +225,8 @@ struct Defect {
 	bool                       isCut = false;
 };
 
-/// Each of these meshes has one kind of defect, a known number of times. None has edges that are
-/// split before the repair, which would count their parts.
+/// Each mesh has a single kind of defect, a known number of times. No edges are split before the
+/// repair, since the repair would count the parts.
 std::vector<Defect> defects()
 {
 	const TriangleMesh  ball = icosphere(5);
@@ -293,8 +294,8 @@ TEST(PromiseOfRepair, EveryRepairAndEveryCutIsCounted)
 	}
 }
 
-/// "Those that remain are counted, and a note tells of them": a plate far thinner than its few
-/// triangles are wide, bent so that no such triangles follow it.
+/// Inverted faces are counted, and a note names their number: a plate far thinner than its few
+/// triangles are wide, bent so much that some faces are inverted.
 TEST(PromiseOfInvertedFaces, TheyAreCountedAndANoteTellsOfThem)
 {
 	std::int64_t most = 0;
@@ -315,8 +316,8 @@ TEST(PromiseOfInvertedFaces, TheyAreCountedAndANoteTellsOfThem)
 	EXPECT_GT(most, 0) << "none of these meshes tests the note";
 }
 
-/// "Plates of needles": the fit must not take the far side of a plate for the near one, whose
-/// vertices lie no farther by the number of edges.
+/// Plates of needles: the fit must not confuse the far side of a plate with the near side, whose
+/// vertices are as many edges away.
 TEST(PromiseOfTheFit, ItComesNearerToPlatesOfNeedles)
 {
 	for (double height : {0.1, 0.3}) {
@@ -349,7 +350,8 @@ double longestOverMeanEdge(const TriangleMesh& mesh)
 	return longest / (sum / double(mesh.triangles.size()));
 }
 
-/// A tube with rings of fine bumps: small triangles on them make long edges of the input be split.
+/// A tube with rings of fine bumps: small triangles on the bumps cause splits of long edges of the
+/// input.
 TriangleMesh bumpyTube(int around, int along)
 {
 	TriangleMesh tube = openCylinder(around, along, 1, 4);
@@ -361,7 +363,7 @@ TriangleMesh bumpyTube(int around, int along)
 	return tube;
 }
 
-/// "No triangle is several times as large as wanted", wherever sizes change and edges were split.
+/// No triangle is several times as large as wanted, even if sizes change and edges are split.
 TEST(PromiseOfSizes, NoEdgeIsSeveralTimesAsLongAsTheMean)
 {
 	for (double adapt : {0.1, 1.0}) {

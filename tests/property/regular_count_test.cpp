@@ -17,7 +17,7 @@ namespace {
 struct Part {
 	const char*  name;
 	TriangleMesh mesh;
-	int          few;    ///< vertices that are far too few
+	int          few;    ///< far too few vertices
 	double       factor; ///< within which the forecast is right
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a remeshing promises, held against an audit that shares nothing with the engine.
+// The promises of a remeshing, checked by an audit that shares nothing with the engine.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -32,7 +32,7 @@ RemeshOptions percentOptions(double percent, std::uint32_t seed = 1)
 struct Shape {
 	std::string  name;
 	TriangleMesh mesh;
-	double       minMeanShape; ///< mean 2r/R that every target from 5 % on reaches
+	double       minMeanShape; ///< mean 2r/R for every target from 5 % on
 	double       tinyLoop = 0; ///< radius of loops of which only three vertices can be kept
 };
 
@@ -80,7 +80,7 @@ TEST_P(Remesh, HitsTheCountAndKeepsTheTopologyForAnyTarget)
 	}
 }
 
-/// Largest distance of a vertex of the result from where its surface point says it belongs.
+/// Largest distance of a vertex of the result from its surface point.
 double farthestFromSurface(const RemeshResult& r, const TriangleMesh& mesh)
 {
 	double farthest = 0;
@@ -135,8 +135,8 @@ TEST_P(Remesh, FitsToTheInputAndSaysHowFarItWent)
 			  std::min(31.9, unfitted.report.quality.minAngleDeg - 0.1));
 }
 
-/// In mean edges of the result; both ways, so that neither corners nor bays are lost. A closed
-/// surface has no boundary to be far from.
+/// In mean edges of the result; in both directions, so neither corners nor bays are lost. Closed
+/// surfaces have no border to test.
 TEST_P(Remesh, KeepsTheBoundaryInPlace)
 {
 	constexpr double    share = 0.1;
@@ -161,8 +161,8 @@ TEST_P(Remesh, LeavesTheInputUntouched)
 			  0);
 }
 
-/// No face of the result is inverted: the area it spans agrees with the input's, up
-/// to what is cut off along creases and borders.
+/// No face of the result is inverted: its area agrees with the input's area up to the area cut off
+/// along creases and borders.
 TEST_P(Remesh, KeepsTheAreaWhereTrianglesAreSmall)
 {
 	const RemeshResult r = remesh(GetParam().mesh.view(), percentOptions(40));
@@ -239,7 +239,7 @@ TEST(RemeshReportTells, WhatHappened)
 	EXPECT_GE(sum, r.report.remeshSeconds * 0.8 - 0.005);
 }
 
-/// Those that the pipeline has, in the order of its table.
+/// Expects the stages of the pipeline, in the order of its table.
 void expectStagesOf(Pipeline pipeline, const RemeshReport& report)
 {
 	std::vector<std::string> keys;
@@ -340,7 +340,7 @@ TEST_P(RandomRemesh, DamagedSurfacesGiveASoundResultOrASentence)
 	}
 }
 
-/// Damage leaves triangles with their corners in a line, alone or hanging on a border.
+/// Damaged meshes: triangles with their corners in a line, alone or at a border.
 class DamagedRemesh : public ::testing::TestWithParam<std::uint32_t> {};
 
 void expectAResultOfDamaged(RemeshOptions options, std::uint32_t seed)
@@ -369,7 +369,7 @@ TEST_P(DamagedRemesh, NoResultIsWithheldWithThePapersMethods)
 	expectAResultOfDamaged(options, GetParam());
 }
 
-/// Those of the first 240 of which no result came before pieces without area were dropped.
+/// Seeds among the first 240 without a result before components without area were dropped.
 INSTANTIATE_TEST_SUITE_P(FaultsFound, DamagedRemesh,
 						 ::testing::Values(29, 37, 39, 89, 93, 125, 150, 169, 196));
 INSTANTIATE_TEST_SUITE_P(Seeds, DamagedRemesh, ::testing::ValuesIn(testSeeds(15)));
@@ -390,7 +390,7 @@ TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
 		RemeshOptions options = randomOptions(random, mesh);
 		options.targetPercent = std::pow(10, random.between(1, 3.5));
 		const RemeshResult r  = remesh(mesh.view(), options);
-		// Where most faces have no area to begin with, a result may have to be withheld.
+		// If most faces of the input are degenerate, a result may be withheld.
 		if (r.status == Status::PromiseBroken) {
 			EXPECT_NE(r.message.find("degenerate faces"), std::string::npos) << r.message;
 			continue;
@@ -401,7 +401,8 @@ TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRemesh, ::testing::ValuesIn(testSeeds(12)));
 
-/// A square lattice is as saturated a packing as a triangular one; straight rims must not start it.
+/// A square lattice is as saturated a packing as a triangular lattice; straight rims must not start
+/// a square lattice.
 TEST(RemeshSheet, FlatOpenSurfacesGetRegularTriangles)
 {
 	Random random(1);
@@ -501,7 +502,7 @@ TEST(MaxError, OutOfReachIsRefusedOrTheNearestIsTaken)
 	EXPECT_NE(near.notes.back().find("was not reached"), std::string::npos);
 }
 
-/// Edges with one face.
+/// The edges with one face.
 std::vector<std::pair<int, int>> borderEdges(const TriangleMesh& mesh)
 {
 	std::map<std::pair<int, int>, int> faces;

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Collapse by labels and the paper's vertex removal are two ways to the same mesh: on a smooth
-// closed surface the same samples must be joined by the same edges, but for places where the
-// Delaunay criterion leaves a choice.
+// Collapse by labels and the paper's vertex removal make the same mesh: on a smooth closed surface
+// the same samples have the same edges, except at places with a choice in the Delaunay criterion.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -22,7 +21,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A result in terms of its samples: the third corners of the faces at each pair that is joined.
+/// A result in terms of its samples: the third corners of the faces at each edge.
 class Joined {
 public:
 	Joined(const RemeshResult& result, const std::vector<Vec3d>& points) : p_(points)
@@ -45,7 +44,7 @@ public:
 	bool  has(int a, int b) const { return apexes_.count(ends(a, b)) > 0; }
 	Vec3d at(int sample) const { return p_[sample]; }
 
-	/// In ascending order; empty where the pair is not joined.
+	/// The third corners at an edge in ascending order; empty without this edge.
 	std::vector<int> apexesOf(const Ends& ends) const
 	{
 		const auto found = apexes_.find(ends);
@@ -70,16 +69,14 @@ double angleAt(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 	return std::atan2(length(cross(a - p, b - p)), dot(a - p, b - p));
 }
 
-/// Why an edge a-b of one result is none of the other's.
+/// Why the other result lacks an edge a-b; c and d are the third corners of both faces at a-b.
 enum class Reason {
-	CoCircular,   ///< the angles opposite a-b and those opposite c-d are 180° within 1e-3
-	BothDelaunay, ///< the corners are not in a plane: a-b and c-d are both Delaunay, so that flips,
-				  ///< which turn what is not Delaunay only, leave either
-	GuardValence, ///< a-b is not Delaunay, but an end would be left with two faces
-	GuardDouble,  ///< or the other diagonal is an edge already
-	GuardFold,    ///< or turning it folds the surface
-	Follows,      ///< the other result does not have the same four corners: an edge near by
-				  ///< differs for a reason of its own
+	CoCircular,   ///< the angles opposite a-b, and opposite c-d, add up to 180° within 1e-3
+	BothDelaunay, ///< the corners are not in a plane: a-b and c-d are both Delaunay
+	GuardValence, ///< a-b is not Delaunay, but a flip would leave two faces at an end
+	GuardDouble,  ///< or c-d is an edge already
+	GuardFold,    ///< or a flip would fold the surface
+	Follows,      ///< the other result lacks the same four corners, as an edge nearby differs
 	None,
 };
 
@@ -91,7 +88,7 @@ const char* const reasonNames[] = {"co-circular within 1e-3",
 								   "follows from another",
 								   "no reason"};
 
-/// What flipping a-b to c-d would break: the guards of flipToDelaunay.
+/// Which guard of flipToDelaunay forbids the flip of a-b to c-d.
 Reason guardOf(const Joined& joined, const Joined::Ends& ends, const std::vector<int>& apexes)
 {
 	const int   c = apexes[0], d = apexes[1];
@@ -105,7 +102,8 @@ Reason guardOf(const Joined& joined, const Joined::Ends& ends, const std::vector
 	return dot(m1, n1 + n2) <= 0 || dot(m2, n1 + n2) <= 0 ? Reason::GuardFold : Reason::None;
 }
 
-/// Angles opposite the diagonal a-b of four corners, less 180°: above 0 it is not Delaunay.
+/// Sum of the angles opposite the diagonal a-b of four corners, less 180°: a diagonal with a sum
+/// above 0 is not Delaunay.
 double excess(const Joined& joined, const Joined::Ends& ends, const std::vector<int>& apexes)
 {
 	const Vec3d a = joined.at(ends.first), b = joined.at(ends.second);
@@ -127,7 +125,7 @@ Reason reasonFor(const Joined& joined, const Joined& other, const Joined::Ends& 
 
 using Reasons = std::map<Reason, int>;
 
-/// Reasons of the edges of one result that the other lacks.
+/// Reasons of the edges in `joined` but not in `other`.
 Reasons differences(const Joined& joined, const Joined& other)
 {
 	Reasons reasons;
@@ -206,7 +204,7 @@ struct Pair {
 	}
 };
 
-/// At most one edge in a hundred differs, and each for a reason that can be named.
+/// At most one edge in a hundred differs, each for a known reason.
 void expectAgreement(const Joined& joined, const Joined& other)
 {
 	Reasons   reasons = differences(joined, other);
@@ -239,7 +237,7 @@ TEST_P(SmoothShape, IsJoinedAlikeByBothRetriangulations)
 INSTANTIATE_TEST_SUITE_P(, SmoothShape, ::testing::ValuesIn(smoothShapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 
-/// An edge turned though it was Delaunay has no excuse.
+/// The test finds no reason for a flip of a Delaunay edge.
 TEST(RetriangulationsAgree, AndTheTestWouldTell)
 {
 	Pair                      pair(icosphere(4), 20, 1);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What makes a sampling a Poisson-disk sampling: no two samples too near, no place too far from
-// all.
+// The two properties of a Poisson-disk sampling: no two samples are too near to each other, and no
+// place is too far from all samples.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
@@ -60,8 +60,7 @@ SamplingResult sample(const TriangleMesh& mesh, double percent, std::uint32_t se
 
 class GentleShapes : public ::testing::TestWithParam<Shape> {
 protected:
-	/// Calls check(result, percent) for several targets and seeds, those with too few samples to
-	/// speak of a spacing left out.
+	/// Calls check(result) for several targets and seeds; `percent` is capped for large meshes.
 	void forEachSampling(const std::function<void(const SamplingResult&)>& check)
 	{
 		for (double percent : {3.0, 10.0, 40.0, 100.0, 200.0}) {
@@ -120,13 +119,13 @@ INSTANTIATE_TEST_SUITE_P(, GentleShapes, ::testing::ValuesIn(gentleShapes()),
 Vec3d unfolded(const Vec3d& p)
 {
 	const double beyond = std::hypot(p.x - 0.5, p.z);
-	// Points of the part that stayed flat are off by rounding.
+	// Points of the flat part are off by rounding.
 	constexpr double rounded = 1e-6;
 	return p.x > 0.5 || p.z > rounded ? Vec3d(0.5 + beyond, p.y, 0) : Vec3d(p.x, p.y, 0);
 }
 
-/// Across a fold the chord is shorter than the way on the surface: measured on the sheet laid flat,
-/// every vertex is covered within what unfolding over triangles can be off.
+/// Across a fold the chord is shorter than the way on the surface. On the sheet laid flat, every
+/// vertex is covered up to the error of unfolding over triangles.
 TEST(Sampling, CoversAFoldedSheetMeasuredFlat)
 {
 	constexpr double unfoldingError = 0.03;
@@ -145,7 +144,7 @@ TEST(Sampling, CoversAFoldedSheetMeasuredFlat)
 	}
 }
 
-/// The other sheet is near through space and far on the surface: it must not count.
+/// The other sheet is near through space and far on the surface: only the latter counts.
 TEST(Sampling, DoesNotLeakFromSheetToSheet)
 {
 	const double gap = 0.02;
@@ -219,7 +218,7 @@ TEST(Sampling, TheNumberLandsNearTheTarget)
 	}
 }
 
-/// Feature lines leave gaps between them and the other samples; the radius makes up for them.
+/// Feature lines leave gaps beside the other samples; the disk radius is corrected for the gaps.
 TEST(Sampling, TheNumberLandsNearTheTargetBesideFeatureLines)
 {
 	for (const TriangleMesh& mesh : {lPrism(20), closedCylinder(100, 60, 0.5, 1)}) {
@@ -251,7 +250,7 @@ double meanEdgeLength(const HalfEdgeMesh& m)
 	return sum / m.halfEdgeNum();
 }
 
-/// The stage itself, in working units: what it says of every vertex.
+/// The nearest samples of all vertices after the stage itself, in working units.
 TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 {
 	Workers              workers(2, nullptr);
@@ -276,8 +275,8 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 	}
 }
 
-/// A vertex that no disk reaches, and from which a sample is too near all the same, as happens
-/// across folds and among needles, belongs to that sample.
+/// Across folds and among needles, a vertex may be outside of all disks although a sample is too
+/// near for a new sample: the vertex belongs to the near sample.
 TEST(SampleFront, CoversEveryVertexAmongBumpsAndNeedles)
 {
 	Workers workers(2, nullptr);
@@ -297,8 +296,7 @@ TEST(SampleFront, CoversEveryVertexAmongBumpsAndNeedles)
 	}
 }
 
-/// Where edges are as long as disks are wide, a sample too near by need not own a corner of the
-/// face.
+/// With edges as long as disks are wide, a near sample need not own a corner of the face.
 TEST(SampleFront, KeepsTheSpacingAmongFacesAsLargeAsDisks)
 {
 	Workers workers(2, nullptr);
@@ -316,7 +314,7 @@ TEST(SampleFront, KeepsTheSpacingAmongFacesAsLargeAsDisks)
 	}
 }
 
-/// Faces about as large as the disks are where a sample near by is most easily overlooked.
+/// Among faces about as large as the disks, a near sample is most easily overlooked.
 TEST(Sampling, KeepsTheSpacingOnCoarseInput)
 {
 	struct Case {

@@ -36,7 +36,7 @@ std::set<std::array<double, 3>> borderPlaces(const TriangleMesh& mesh)
 	return places;
 }
 
-/// The part of the result that comes from the faces [first, last) of the input.
+/// The part of the result from the faces [first, last) of the input.
 TriangleMesh partOf(const RemeshResult& r, std::int32_t first, std::int32_t last)
 {
 	TriangleMesh part;
@@ -70,8 +70,7 @@ TEST(Seams, RandomSurfacesCutApartAreMeshedAsIfTheyWereWhole)
 	}
 }
 
-/// Parts are missing, doubled and turned over; whatever lies on one another, a sound result comes
-/// out.
+/// Parts are missing, doubled and turned over: any such input gives a sound result.
 TEST(Seams, WhateverIsSewnGivesASoundResult)
 {
 	for (std::uint32_t seed : testSeeds(25)) {
@@ -135,8 +134,8 @@ TEST(Seams, AreFeatureLinesWhereTheyAreSharp)
 	}
 }
 
-/// A noisy sheet, folded: its sharp edges look like noise. Cut along the fold it has a seam there,
-/// which is no noise.
+/// A noisy sheet with a fold: its crease edges look like noise. After a cut along the fold, the
+/// fold is a seam and no noise.
 TEST(Seams, AreFeatureLinesAmongNoiseToo)
 {
 	Random       random(3);
@@ -245,7 +244,7 @@ TriangleMesh dome(const TriangleMesh& flat, double height)
 	return bent;
 }
 
-/// Three sheets whose whole borders are one circle.
+/// Three sheets with the same circle as their whole border.
 TEST(Seams, AClosedCurveOfThreeSheetsGetsTheSameVertices)
 {
 	const TriangleMesh flat = disc(16, 64);
@@ -343,9 +342,9 @@ void addQuad(TriangleMesh& mesh, const Vec3d& a, const Vec3d& b, const Vec3d& c,
 		mesh.triangles.push_back(first + k);
 }
 
-/// A square tube along x, each side with vertices of its own, and a plate at one of its edges.
-/// Three sheets meet there, so that this edge stays cut: sewn, the tube is a strip that is folded
-/// round until both its long borders lie at one place.
+/// A square tube along x, each side with separate vertices, and a plate at one edge of the tube.
+/// Three sheets meet at this edge, so the edge stays cut: after sewing, the tube is a strip whose
+/// long borders lie at the same place.
 TriangleMesh tubeAtPlate(double width)
 {
 	const double section[5][2] = {{0, 0}, {-width, 0}, {-width, -width}, {0, -width}, {0, 0}};
@@ -360,7 +359,7 @@ TriangleMesh tubeAtPlate(double width)
 	return mesh;
 }
 
-/// Samples on the two borders alone would make triangles that lie in a line.
+/// Samples on the two borders alone would make degenerate triangles.
 TEST(Seams, OfATubeThatIsThinnerThanItsTrianglesAreLeftOpen)
 {
 	int leftOpen = 0;

@@ -53,7 +53,7 @@ RemeshResult remeshSelection(const TriangleMesh& mesh, const std::vector<std::ui
 	return remesh(view, inside);
 }
 
-/// The faces that were not selected come first, with the same corners in the same places.
+/// The faces outside of the selection come first, with the same corners in the same places.
 void expectRestUntouched(const TriangleMesh& mesh, const std::vector<std::uint8_t>& selected,
 						 const RemeshResult& r)
 {
@@ -129,8 +129,8 @@ TEST(Selection, IsRefusedWhereNothingIsSelected)
 	EXPECT_EQ(remeshSelection(mesh, none, percent(20)).status, Status::BadOptions);
 }
 
-/// A grid in which two faces, each along half of an edge of a third one, meet it over a face
-/// without area, which is the last of all.
+/// A grid with a degenerate face, the last face: two faces, each along half of an edge of a third
+/// face, meet the third face over the degenerate face.
 TriangleMesh gridWithFaceWithoutArea()
 {
 	TriangleMesh mesh  = grid(12, 12);
@@ -153,7 +153,7 @@ TriangleMesh gridWithFaceWithoutArea()
 	return mesh;
 }
 
-/// If it were dropped the mesh would be torn open.
+/// Without the degenerate face the mesh would be torn open.
 TEST(Selection, LeavesAFaceWithoutAreaAtItsEdgeAsItIs)
 {
 	const TriangleMesh mesh = gridWithFaceWithoutArea();
@@ -168,8 +168,8 @@ TEST(Selection, LeavesAFaceWithoutAreaAtItsEdgeAsItIs)
 	expectRestUntouched(mesh, withoutIt, r);
 }
 
-/// A selected fan of faces along the line between the selection and the rest: in what is selected
-/// two faces meet at its edges, so that the line is no border of it.
+/// A selected fan of faces along the line between the selection and the rest: within the selection
+/// two faces meet at the edges of this line, so the line is no border of the selection.
 TEST(Selection, IsRefusedWhereMoreThanTwoFacesMeetAtItsEdge)
 {
 	TriangleMesh       mesh     = grid(12, 12);

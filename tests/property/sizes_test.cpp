@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Edge lengths in mesh units: of the vertices, the least and the largest, and walls thinner than
-// they are.
+// Edge lengths in mesh units: for each vertex, the least and the largest, and walls thinner than an
+// edge.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -31,7 +31,7 @@ double lengthAt(double z, double least, double most)
 	return least + (most - least) * 0.5 * (std::clamp(z, -1.0, 1.0) + 1);
 }
 
-/// Of every edge, its length over what is wanted at its middle.
+/// Over the wanted length at the middle of each edge: the edge length.
 std::vector<double> overWanted(const TriangleMesh& mesh, double least, double most)
 {
 	std::vector<double> all;
@@ -195,7 +195,7 @@ TEST(Sizes, AreNotForThePaper)
 	EXPECT_EQ(remesh(view, options).status, Status::BadOptions);
 }
 
-/// The two lines of a rim are all that holds the sheets of a plate apart.
+/// Only the two lines of a rim keep the sheets of a plate apart.
 TEST(ThinWalls, KeepTheirLines)
 {
 	TriangleMesh plate = cube(32);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Counts below what a topology needs: refused, and the smallest possible one named.
+// Counts below the need of a topology: refused, with the smallest possible count.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -20,7 +20,7 @@ RemeshOptions unsewn(std::int64_t vertexNum, std::uint32_t seed)
 {
 	RemeshOptions options = countOptions(vertexNum);
 	options.seed          = seed;
-	options.sew           = false; // a slit is to stay one
+	options.sew           = false; // sewing would close a slit
 	return options;
 }
 
@@ -36,7 +36,8 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape)
 	return out << shape.name;
 }
 
-/// A cube cut open along two edges of one of its own: a border of four vertices in one line.
+/// A cube with a slit along two edges of the mesh on an edge of the cube: a border loop of four
+/// vertices in a line.
 TriangleMesh slitCube()
 {
 	TriangleMesh mesh = cube(8);
@@ -134,7 +135,7 @@ TEST_P(SmallestCount, EveryLargerCountIsHit)
 INSTANTIATE_TEST_SUITE_P(, SmallestCount, ::testing::ValuesIn(shapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 
-/// A count that is raised means that the input is loaded again; what is wrong with it is told once.
+/// A raised count loads the input again; faults of the input are counted once.
 TEST(SmallestCountTells, TheInputsFaultsAreCountedOnce)
 {
 	TriangleMesh mesh = torus(40, 20);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// BoundaryMode::Smooth: ragged borders become smooth, and nothing else of what is promised is lost.
+// BoundaryMode::Smooth makes ragged borders smooth, and keeps all other promises.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -27,8 +27,8 @@ RemeshOptions smoothOptions(double percent, int threads = 2)
 	return options;
 }
 
-/// A disk of radius 30 with a rim that is ragged by `teeth` cells, and a hole. The spike to the
-/// right is 2 wide and reaches from x = 72 at the latest to 88. The bay from the left is 1 wide.
+/// A disk of radius 30 with a hole, and a rim that is ragged by `teeth` cells. The spike to the
+/// right is two cells wide and reaches to x = 88. The bay from the left is a cell wide.
 TriangleMesh raggedDisk(int teeth, bool hasSpikeAndBay)
 {
 	Random              random(7);
@@ -52,7 +52,7 @@ double wantedEdge(const RemeshResult& r)
 					 (std::sqrt(3.0) * double(r.mesh.vertexNum())));
 }
 
-/// Largest distance of a vertex of the result's border from that of the input.
+/// Largest distance from a vertex of the result's border to the input's border.
 double farthestOffBorder(const TriangleMesh& input, const TriangleMesh& result)
 {
 	const std::vector<Vec3d> border   = rimSegments(input);
@@ -152,7 +152,7 @@ TEST(SmoothBorder, ClosedSurfacesComeOutAsByDefault)
 	}
 }
 
-/// Rings, bridges and strips that are narrower than an edge, and two parts that meet in a point.
+/// Rings, bridges and strips narrower than an edge, and two parts with a common vertex.
 TEST(SmoothBorder, NarrowPartsKeepTheTopology)
 {
 	const auto isInRing = [](int i, int j) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results that are their own mirror images.
+// Symmetric results.
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/run_options.h>
@@ -43,7 +43,7 @@ TriangleMesh movedBy(TriangleMesh mesh, const Vec3d& by)
 	return mesh;
 }
 
-/// As files of floats hold it.
+/// The coordinates as floats, as in a file.
 std::array<float, 3> floatsOf(const Vec3d& p)
 {
 	return {float(p.x), float(p.y), float(p.z)};
@@ -56,7 +56,7 @@ std::array<float, 3> imageOf(const Vec3d& p, int axis, double at)
 	return floatsOf(q);
 }
 
-/// Per vertex its mirror image; -1 where it has none bit for bit.
+/// For each vertex its mirror image; -1 without an image, bit for bit.
 std::vector<std::int32_t> imagesOf(const TriangleMesh& mesh, int axis, double at)
 {
 	std::map<std::array<float, 3>, std::int32_t> named;
@@ -220,7 +220,7 @@ TEST(Symmetry, HalvesThatDoNotTouchThePlaneAreTwo)
 	EXPECT_NE(odd.message.find("24 and 26"), std::string::npos) << odd.message;
 }
 
-/// A thin rod along the plane: without care both borders of its half would be joined by edges.
+/// A thin rod along the plane: edges could join both borders of its half.
 TEST(Symmetry, ThinPartsAlongThePlaneStayWhole)
 {
 	TriangleMesh rod = uvSphere(60, 24);
@@ -240,7 +240,7 @@ TEST(Symmetry, WhatIsNotSymmetricIsRefused)
 	EXPECT_EQ(refused.status, Status::UnusableInput);
 	EXPECT_NE(refused.message.find("% of the diagonal"), std::string::npos) << refused.message;
 	const RemeshResult found = remeshed(mesh, symmetric(Symmetry::Auto, 200));
-	expectSymmetric(found.mesh, 2, 0); // the only plane that is left
+	expectSymmetric(found.mesh, 2, 0); // the only plane of symmetry
 }
 
 TEST(Symmetry, AutoFindsAPlaneThatLiesAcrossNoAxis)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole runs on tubes and walls that are thinner than the triangles of the result are wide: it does
-// not intersect itself, at the exact count.
+// Whole runs on tubes and walls thinner than the triangles of the result are wide: the result does
+// not intersect itself and has the exact count.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -19,7 +19,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A closed curve that swings at random.
+/// A closed curve with random waves.
 struct RandomLoop {
 	double amplitude[3], phase[3];
 
@@ -60,7 +60,7 @@ TriangleMesh randomPipe(Random& random)
 	return joined(tubeAlong(loop, radius), insideOut(tubeAlong(loop, 0.8 * radius)));
 }
 
-/// A thin plate with tunnels: the walls of each are nearer than an edge.
+/// A thin plate, bent about an axis.
 TriangleMesh randomBentPlate(Random& random)
 {
 	TriangleMesh plate = thinPlate(40, random.between(0.002, 0.006));
@@ -88,7 +88,7 @@ RemeshOptions optionsFor(int vertexNum, bool guard)
 	return options;
 }
 
-/// The contacts that the same run without the guard would have had.
+/// Returns the number of contacts in a run without the guard.
 std::size_t expectNoContacts(const TriangleMesh& mesh, int vertexNum, double adapt,
 							 const TriangleMesh& repaired)
 {
@@ -138,7 +138,7 @@ TEST(ThinSurfaces, AreLeftAsTheyAreWithoutTheGuard)
 	EXPECT_GT(contactNum(r.mesh), 0u);
 }
 
-/// What CAD programs leave where strips of no width end. All of the surface is made anew.
+/// CAD programs leave such slits at ends of strips without width. The whole surface is made anew.
 TEST(ThinSurfaces, WithAHoleThatHasNoAreaAreNotWithheld)
 {
 	Random             random(1);
@@ -146,7 +146,7 @@ TEST(ThinSurfaces, WithAHoleThatHasNoAreaAreNotWithheld)
 	expectNoContacts(withSlit(pipe, 700), 150, 0, pipe);
 }
 
-/// Faces whose corners lie in a line, as where an edge was split from one side alone.
+/// Faces with corners in a line, as after a split of an edge in only one of its faces.
 TriangleMesh withFlatFaces(TriangleMesh mesh, int num, Random& random)
 {
 	for (int i = 0; i < num; ++i)
@@ -154,7 +154,7 @@ TriangleMesh withFlatFaces(TriangleMesh mesh, int num, Random& random)
 	return mesh;
 }
 
-/// So many vertices that few of the input's have to go where it is made anew.
+/// With so many vertices the patches made anew lose few vertices of the input.
 TEST(ThinSurfaces, WithFacesThatHaveNoAreaAreNotWithheld)
 {
 	const TriangleMesh pipe = joined(torus(30, 8, 1, 0.05), insideOut(torus(30, 8, 1, 0.04)));
@@ -183,13 +183,13 @@ TriangleMesh dumbbell(double tubeRadius, double bulbRadius, double length)
 	return mesh;
 }
 
-/// One in another: the walls of the tubes are far nearer to each other than an edge is long.
+/// A dumbbell in another: the walls of the tubes are nearer to each other than an edge.
 TriangleMesh dumbbells()
 {
 	return joined(dumbbell(0.02, 0.7, 1), insideOut(dumbbell(0.016, 0.28, 0.9)));
 }
 
-/// Only what is near the intersections is made anew, and the rest has the same triangles.
+/// Only faces near the intersections are made anew; the other faces keep their triangles.
 TEST(ThinSurfaces, LeaveWhatIsFarFromThemAsItIs)
 {
 	const TriangleMesh mesh    = dumbbells();
@@ -225,7 +225,7 @@ TEST(ThinSurfaces, HaveTheSameBytesWithAnyNumberOfThreads)
 	EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
 }
 
-/// Only the component that intersects itself is made anew.
+/// Only the component with self-intersections is made anew.
 TEST(ThinSurfaces, LeaveOtherComponentsRegular)
 {
 	Random             random(1);
@@ -254,7 +254,7 @@ TEST(ThinSurfaces, OfAnInputThatIntersectsItselfAreNotRefused)
 	EXPECT_EQ(r.report.audit.guarded.vertexNum, 0) << "all pairs are the input's own";
 }
 
-/// The points on the input lie near the vertices, so that attributes can be carried over.
+/// The points on the input lie near the vertices, so attributes can be carried over.
 TEST(ThinSurfaces, VerticesKnowWhereOnTheInputTheyLie)
 {
 	Random             random(2);

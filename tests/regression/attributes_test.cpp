@@ -159,7 +159,7 @@ double distance(const TexturePoint& a, const TexturePoint& b)
 	return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/// Whether the texture of all corners is that of the places where they lie: no seam in between.
+/// Whether all corners have the texture of their places, as in faces without a seam.
 bool isAwayFromSeams(const RemeshResult& r, const CornerTexture& carried,
 					 const CornerTexture& truth, std::size_t f)
 {
@@ -182,7 +182,7 @@ TEST(RealAttributes, BunnyKeepsItsTexture)
 	const TextureSource source(input.view(), truth);
 	ASSERT_TRUE(source.hasSeams());
 	const NearestPoints nearest(input.view());
-	// 190 charts: too many seams to follow with few vertices, not with as many as before.
+	// 190 charts: few vertices cannot follow all seams, 100 percent of the vertices can.
 	for (const double percent : {10.0, 30.0, 100.0}) {
 		SCOPED_TRACE(percent);
 		MeshView view = input.view();
@@ -194,7 +194,7 @@ TEST(RealAttributes, BunnyKeepsItsTexture)
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		const CornerTexture carried = source.carriedTo(r);
 
-		// A face that spanned a seam would be stretched over the space between two charts.
+		// A face across a seam would be stretched over the space between two charts.
 		double longest = 0;
 		for (std::size_t c = 0; c < r.mesh.triangles.size(); ++c) {
 			const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
@@ -210,7 +210,7 @@ TEST(RealAttributes, BunnyKeepsItsTexture)
 			if (!isAwayFromSeams(r, carried, truth, std::size_t(at.face))) continue;
 			const BarycentricPoint there = nearest.of(positionOf(r.mesh, at));
 			const double           miss = distance(textureAt(carried, at), textureAt(truth, there));
-			// Nearest points of a place beside a seam may lie beyond it.
+			// The nearest point of a place beside a seam may lie beyond the seam.
 			beyond += miss > 0.1;
 			if (miss > 0.1) continue;
 			sum += miss;

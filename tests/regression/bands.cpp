@@ -21,8 +21,8 @@ constexpr Target vertices(double num)
 	return {TargetMode::VertexNum, num};
 }
 
-/// A largest distance in percent of the diagonal, kept with no more vertices than these. Where few
-/// places decide the count is twice as large with one seed as with another.
+/// A largest distance in percent of the diagonal, and the most vertices for this distance. If few
+/// places decide, the count may differ by a factor of two between seeds.
 constexpr Target error(double value, std::int64_t mostVertices)
 {
 	return {TargetMode::MaxError, value, mostVertices};
@@ -41,7 +41,7 @@ constexpr char gargoyle[]  = "gargoyle_96k.ply";
 constexpr char fandisk[]   = "fandisk_13k_cad.ply";
 constexpr char adis[]      = "cad_adis_7k_genus24.stl";
 constexpr char vessels[]   = "ct_vessels_1.5M_1803comp.ply.gz";
-// Of Debian's glmark2-data, which scripts/setup installs.
+// A file of Debian's glmark2-data, which scripts/setup installs.
 constexpr char bunny[] = "bunny.obj";
 
 using Change = void (*)(RemeshOptions&);
@@ -98,7 +98,7 @@ std::vector<Band> bands()
 		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  23.5, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
 		{"BunnyWithin02",     bunny, "",           error(.2, 3600),   .94,   .872,  9,    71.5,   .3,    0,    .049,   .17,  any,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Region",   bunny, "region",     percent(10),       .976,  .92,   32,   84,   0,     0,    .048,   .206, .35,  any,   any,  Apart | NoLines},
-		// Lines that were asked for are not released, however noisy they are.
+		// The option 'lines' forbids the release of lines, even of noisy lines.
 		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .942,  .886,  any,  78,   3.2,   any,  .046,   .29,  .52,  any,   any,  None},
 		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  27,   88.5,  .021,  0,    .041,   .196,  .45,  .1,    any,  Apart | NoLines},
 		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .934,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
@@ -113,10 +113,10 @@ std::vector<Band> bands()
 		{"TerrainTo10",       terrain, "even",     percent(10),       .993,  .966,  31,   94,   0,     any,  .0029,  any,  any,  .15,   any,  None},
 		// Its feet are thinner than an edge.
 		{"IguanaTo10",        iguana, "even",      percent(10),       .977,  any,   9,    89,   .02,   any,  .023,   any,  any,  any,   any,  None},
-		// Its crowded lines are released; there a sharp edge may be rounded.
+		// The crowded lines of this model are released; sharp edges may be rounded there.
 		{"CastingTo50",       casting, "even",     percent(50),       .952,  any,   30,   79,   0,     any,  .105,   any,  any,  any,   .36,  None},
-		// One or two of the thousand triangles stay poor with every second seed, and with some a patch
-		// is made anew for one contact.
+		// With every second seed, one or two of the thousand triangles stay poor; with some seeds,
+		// a patch is made anew for one contact.
 		{"CastingTo10",       casting, "even",     percent(10),       .88,   any,   15,   any,  2.5,   any,  .3,     any,  any,  any,   any,  None},
 		// Half of its vertices are on creases.
 		{"CheeseTo50",        cheese, "even",      percent(50),       .79,   any,   any,  any,  19,    any,  .27,    any,  any,  any,   any,  None},
@@ -128,7 +128,7 @@ std::vector<Band> bands()
 		{"FandiskTo20",       fandisk, "even",     percent(20),       .966,  any,   22,   any,  .08,   any,  .0225,  any,  any,  any,   .1,   None},
 		{"FandiskTo10",       fandisk, "even",     percent(10),       .944,  any,   22,   any,  .2,    any,  .0425,  any,  any,  any,   .1,   None},
 
-		// Tunnels and walls thinner than the triangles, in models that do not intersect themselves.
+		// Tunnels and walls thinner than the triangles, in models without self-intersections.
 		{"AdisThin",          adis, "even",        vertices(2500),    .91,   any,   any,  any,  any,   12,   any,    any,  2.5,  any,   any,  Apart},
 		{"AdisThinAdapted",   adis, "adapt1",      vertices(2500),    .87,   any,   any,  any,  any,   12,   any,    any,  2.5,  any,   any,  Apart},
 		{"AdisThinFast",      adis, "fast even",   vertices(2500),    .9,    any,   any,  any,  any,   12,   any,    any,  2.5,  any,   any,  Apart},

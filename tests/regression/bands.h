@@ -11,25 +11,25 @@
 
 namespace gpr::test {
 
-/// The size that a run asks for.
+/// The size of a result as an option.
 struct Target {
 	TargetMode   mode;
 	double       value;            ///< vertices, or percent of the input's vertices or its diagonal
 	std::int64_t mostVertices = 0; ///< TargetMode::MaxError only
 };
 
-/// What a result has to show beside its figures.
+/// Requirements on a result beside its figures.
 enum Trait : unsigned {
 	None     = 0,
 	Apart    = 1, ///< no two faces touch, and at most a fifth of the vertices were made anew
 	NoLines  = 2, ///< the model is smooth: no feature line is found
-	Repaired = 4, ///< the model is no manifold: what was cleaned is counted
+	Repaired = 4, ///< the model is no manifold: its repairs are counted
 };
 
-/// Stands for a figure that is not asked for.
+/// A figure without a requirement.
 constexpr double any = -1;
 
-/// A run on a model, and what its result must come to.
+/// A run on a model, and the requirements on its result.
 struct Band {
 	const char* name;    ///< of the test
 	const char* file;    ///< see findModel
@@ -41,13 +41,13 @@ struct Band {
 	double angle;       ///< smallest, degrees
 	double valence6;    ///< % of the vertices
 	// at most
-	double below30;   ///< % of the triangles have a smaller angle
-	double inverted;  ///< faces against the surface
-	double rms;       ///< % of the diagonal, the larger of both ways; so are the next two
-	double p999;      ///< 99.9 % of the surface is nearer
-	double hausdorff; ///< proven
-	double rim;       ///< largest distance of the borders in mean edges, both ways
-	double creases; ///< largest distance of the input's sharp edges from the result's in mean edges
+	double   below30;   ///< % of the triangles have a smaller angle
+	double   inverted;  ///< faces against the surface
+	double   rms;       ///< % of the diagonal, the larger of both ways; so are the next two
+	double   p999;      ///< 99.9 % of the surface is nearer
+	double   hausdorff; ///< proven
+	double   rim;       ///< largest distance of the borders in mean edges, both ways
+	double   creases; ///< largest distance from the input's sharp edges to the result's, mean edges
 	unsigned traits;
 };
 
@@ -56,13 +56,13 @@ std::ostream& operator<<(std::ostream& out, const Band& band);
 /// The table of all runs.
 std::vector<Band> bands();
 
-/// Sets what the words of a row stand for: "fast" and "paper" (presets), "even" and "adapt1"
-/// (adapt 0 and 1), "keep", "free" and "smooth" (borders), "lines" (every sharp edge is a feature
-/// line), "region" (a detected feature region). "open" is no option, see isOpened. Throws
-/// std::logic_error for another word.
+/// Sets options by the words of a row: "fast" and "paper" (presets), "even" and "adapt1" (adapt 0
+/// and 1), "keep", "free" and "smooth" (borders), "lines" (every sharp edge is a feature line),
+/// "region" (a detected feature region). "open" is no option, see isOpened. Throws std::logic_error
+/// for another word.
 void applyWords(const char* words, RemeshOptions& options);
 
-/// Whether the lowest fifth of the model is cut off before the run, so that it has a border.
+/// Whether the lowest fifth of the model is cut off before the run, for a model with a border.
 bool isOpened(const Band& band);
 
 } // namespace gpr::test

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's feature preservation on a part and on a scan, without the feature lines of the
-// default: the sharp edges of the input come nearer to the result (§3.1.1 manual, §3.1.2
-// automatic). Skipped where GPR_MODELS_DIR is unset.
+// The paper's feature preservation on a CAD part and on a scan, without feature lines: the sharp
+// edges of the input come nearer to the result (§3.1.1 manual, §3.1.2 automatic). Skipped without
+// GPR_MODELS_DIR.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/model_files.h>
@@ -45,7 +45,7 @@ protected:
 		options.threads       = 2;
 	}
 
-	/// Root mean square distance of the sharp edges' ends and middles from the result.
+	/// Root mean square distance from the ends and middles of sharp edges to the result.
 	double distance() const
 	{
 		const RemeshResult r = remesh(mesh.view(), options);
@@ -64,7 +64,7 @@ protected:
 TEST_P(FeaturePreservation, BringsTheResultNearerToSharpEdges)
 {
 	ASSERT_GT(features.size(), 700u);
-	options.adapt = 0; // sizes by the error bring it nearer as well
+	options.adapt = 0; // sizes by the error also lower the distance
 	for (const Preset preset : {Preset::Fast, Preset::Default}) {
 		options.preset        = preset;
 		options.featureRegion = FeatureRegion::None;

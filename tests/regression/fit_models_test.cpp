@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The fit leaves no model farther from its input than no fit at all. The models are no part of the
-// project: where the environment variable GPR_MODELS_DIR is unset the tests are skipped.
+// With the fit, no model is farther from its input than without the fit. The project contains no
+// models: the tests are skipped without the environment variable GPR_MODELS_DIR.
 
 #include <tests/support/model_files.h>
 #include <vcg_extras/core/remesh.h>
@@ -54,7 +54,7 @@ std::string fittedName(const ::testing::TestParamInfo<FittedModel>& info)
 
 class FittedModels : public ::testing::TestWithParam<FittedModel> {};
 
-/// Of the largest distances points see most only.
+/// Root mean square distances and 99.9th percentiles: sampled points may miss the largest distance.
 TEST_P(FittedModels, AreNoFartherThanWithoutTheFit)
 {
 	const ModelFile model = findModel(GetParam().file);
@@ -94,8 +94,8 @@ ProvenDistance provenDistanceWith(bool fit, double percent, const MeshView& inpu
 	return {r.report.check.distance.larger().rms, r.report.provenDistance.hausdorff()};
 }
 
-/// Where lines are released, or much is made anew by guarded collapses, some places may come to lie
-/// farther off than before the fit.
+/// If lines are released, or guarded collapses make much of the mesh anew, some places may lie
+/// farther from the input than before the fit.
 class CrowdedModels : public ::testing::TestWithParam<FittedModel> {};
 
 TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
@@ -107,7 +107,7 @@ TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
 	const ProvenDistance plain  = provenDistanceWith(false, GetParam().percent, input.view());
 	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
 	EXPECT_LE(fitted.largest.lower,
-			  1.05 * plain.largest.upper); // of one place: much of it is chance
+			  1.05 * plain.largest.upper); // at a single place, much by chance
 }
 
 INSTANTIATE_TEST_SUITE_P(, CrowdedModels,

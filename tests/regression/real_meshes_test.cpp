@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Real scans and parts, with bands that fail: bands.cpp has the table. One model comes from
-// Debian's glmark2-data. The others are no part of the project: the folder is named by the
-// environment variable GPR_MODELS_DIR, and where it is unset their tests are skipped.
+// Real scans and parts, with bands for the figures: see the table in bands.cpp. One model comes
+// from Debian's glmark2-data. The environment variable GPR_MODELS_DIR names the folder of the other
+// models; their tests are skipped without the variable.
 
 #include "bands.h"
 
@@ -113,7 +113,7 @@ void expectShapes(const Band& band, const RemeshResult& r)
 	expectAtMost(double(r.report.audit.invertedFaces), band.inverted, "inverted faces");
 }
 
-/// In the direction in which they are larger, in % of the input's diagonal.
+/// In the direction with the larger distances, in % of the input's diagonal.
 void expectDistances(const Band& band, const RemeshReport& report)
 {
 	const double          percent = 100 / report.input.diagonal;
@@ -124,7 +124,8 @@ void expectDistances(const Band& band, const RemeshReport& report)
 				 "Hausdorff");
 }
 
-/// Whole creases of the original are creases of the result; those shorter than three edges may go.
+/// Whole creases of the original are creases of the result, except creases shorter than three
+/// edges.
 void expectLines(const Band& band, const TriangleMesh& original, const RemeshResult& r)
 {
 	const double edge = measureQuality(r.mesh.view(), 2).meanEdgeLen;
@@ -180,7 +181,8 @@ TEST_P(RealMesh, StaysWithinItsBands)
 INSTANTIATE_TEST_SUITE_P(, RealMesh, ::testing::ValuesIn(bands()),
 						 [](const auto& row) { return std::string(row.param.name); });
 
-/// A range map with ragged borders, which more than a third of the vertices lie on by default.
+/// A range map with ragged borders; by default more than a third of the vertices lie on the
+/// borders.
 TEST(SmoothBorder, LeavesFewSmallAnglesOnARangeMap)
 {
 	const ModelFile model = findModel("rangemap_lato315_121k_open_32comp.ply");
@@ -198,7 +200,7 @@ TEST(SmoothBorder, LeavesFewSmallAnglesOnARangeMap)
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_TRUE(isSoundSurface(r.mesh));
 		const SurfaceFacts facts = factsOf(r.mesh);
-		EXPECT_EQ(facts.components, 39); // those of the repaired scan
+		EXPECT_EQ(facts.components, 39); // as in the repaired scan
 		EXPECT_EQ(facts.boundaryLoops, 60);
 		EXPECT_EQ(facts.euler(), 18);
 		EXPECT_GE(r.report.quality.radiusRatioMean, 0.965);
@@ -208,8 +210,8 @@ TEST(SmoothBorder, LeavesFewSmallAnglesOnARangeMap)
 	EXPECT_LE(below30, 0.4); // 4.3 by default
 }
 
-/// An electronic part whose 104 faces have vertices of their own. Sewn it is one solid; before,
-/// each was remeshed by itself and a third of all triangles had an angle below 30 degrees.
+/// An electronic part of 104 faces with separate vertices. Sewn, the part is a single solid;
+/// unsewn, each face is a component.
 TEST(SplitSeams, APartOfManyPatchesIsOneSolid)
 {
 	const ModelFile model = findModel("cad_split_seams_104comp.ply");

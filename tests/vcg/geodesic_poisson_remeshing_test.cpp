@@ -132,8 +132,8 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, CarriesColourAndQualityOver)
 		v.C() = vcg::Color4b((unsigned char) (80 * v.P()[0]), 200, 3, 255);
 	}
 	ASSERT_TRUE(Remeshing::Do(m, ParamsOf<MeshType>(600)).IsOk());
-	// Functions linear on every face are carried exactly, to vertices that the fit then moves a
-	// little; the colour was cut to whole numbers.
+	// Functions linear on every face are carried exactly to vertices that the fit then moves a
+	// little; colours are cut to whole numbers.
 	for (const auto& v : m.vert) {
 		EXPECT_NEAR(v.cQ(), 2 * v.cP()[0] - v.cP()[1], 5e-3);
 		EXPECT_NEAR(v.cC()[0], 80 * v.cP()[0], 2);
@@ -185,7 +185,8 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, RepairIsCounted)
 int  callNum = 0;
 bool CancelInTheMidst(const int, const char*)
 {
-	// The engine reports by the clock; after this pause it reports again as soon as it can.
+	// The engine reports by the clock; after this pause the engine reports again as soon as
+	// possible.
 	std::this_thread::sleep_for(std::chrono::milliseconds(100));
 	return ++callNum < 3;
 }

@@ -11,7 +11,8 @@ using namespace vcg::tri;
 
 namespace {
 
-/// The least spacing is (1-ε) r in the sampler's metric; the rest is what that metric may be off.
+/// The least spacing is (1-ε) r in the sampler's metric, less an allowance for the error of the
+/// metric.
 const double spacingShare = 0.95 - 0.03;
 /// Every vertex lies within r of a sample, with the same allowance.
 const double coverageShare = 1.03;

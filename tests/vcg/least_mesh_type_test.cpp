@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remeshing of meshes that have the least components. The file is separate because
-// each mesh type adds much to the memory that the compiler needs.
+// Remeshing of meshes with the fewest components. The file is separate because each mesh type adds
+// much to the memory of the compiler.
 #include "remeshing_params.h"
 #include "support.h"
 

@@ -202,7 +202,7 @@ TYPED_TEST(MeshConversion, ReplacedElementsKeepNothingOld)
 		for (auto& f : m.face)
 			EXPECT_EQ(f.cFFp(0), nullptr);
 	}
-	Allocator<MeshType>::DeletePerVertexAttribute(m, "number"); // vcglib's meshes do not free them
+	Allocator<MeshType>::DeletePerVertexAttribute(m, "number"); // vcglib never frees attributes
 }
 
 std::vector<int> reported;

@@ -9,7 +9,7 @@
 
 namespace gpr_test {
 
-/// vcglib names its components per scalar (Coord3f, Coord3d); these take the scalar as an argument.
+/// vcglib names its components by scalar (Coord3f, Coord3d); here the scalar is an argument.
 template <class S>
 struct Of {
 	template <class T>

@@ -3,7 +3,7 @@
 #ifndef GPR_TESTS_VCG_OPTION_SUPPORT_H
 #define GPR_TESTS_VCG_OPTION_SUPPORT_H
 
-// A mesh on which most options have an effect, and the engine called on it without the templates.
+// A mesh on which most options have an effect, and calls of the engine without the templates.
 
 #include "support.h"
 
@@ -15,9 +15,9 @@
 
 namespace gpr_test {
 
-/// A waved sheet with a border and a fold that becomes flat, and a small sphere beside it. Some
-/// vertices, faces and edges are selected, the quality grows along x, and there are gaps in the
-/// vectors.
+/// A waved sheet with a border and a crease that fades out, and a small sphere beside the sheet.
+/// Some vertices, faces and edges are selected, the quality grows along x, and the vectors have
+/// gaps.
 template <class MeshType>
 void MakeOptionMesh(MeshType& m)
 {
@@ -46,7 +46,7 @@ void MakeOptionMesh(MeshType& m)
 	AddGaps(m);
 }
 
-/// What the engine reads, written down without the templates.
+/// The input of the engine, made without the templates.
 struct OptionInput {
 	std::vector<gpr::Vec3d>   positions;
 	std::vector<std::int32_t> triangles;
@@ -84,7 +84,7 @@ OptionInput InputOf(const MeshType& m)
 	return input;
 }
 
-/// What came out, in numbers that can be compared bit by bit.
+/// A result in numbers, for a comparison bit by bit.
 struct OptionOutcome {
 	gpr::Status               status = gpr::Status::InternalError;
 	std::string               message;
@@ -118,7 +118,7 @@ OptionOutcome OutcomeOf(const ResultType& result)
 	return outcome;
 }
 
-/// Adds positions as a mesh of this scalar holds them.
+/// Adds positions, rounded to this scalar.
 template <class ScalarType>
 void AddPositions(const std::vector<gpr::Vec3d>& positions, OptionOutcome& outcome)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remeshing of meshes with optional components. The file is separate because
-// each mesh type adds much to the memory that the compiler needs.
+// Remeshing of meshes with optional components. The file is separate because each mesh type adds
+// much to the memory of the compiler.
 #include "remeshing_params.h"
 #include "support.h"
 
@@ -20,7 +20,7 @@ TYPED_TEST(OptionalComponentsTest, RespectsOptionalComponents)
 	typedef OcfMesh<TypeParam> MeshType;
 	for (const bool enabledFlag : {false, true}) {
 		MeshType m;
-		m.face.EnableFFAdjacency(); // the builder needs it
+		m.face.EnableFFAdjacency(); // for the builder
 		MakeTorus(m);
 		m.face.DisableFFAdjacency();
 		if (enabledFlag) {

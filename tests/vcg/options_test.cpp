@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every option of the engine is reached through the templates: each row of the parameter table is
-// stored into a template's parameters by its key, and the result must have the bytes of the facade
-// called with the options that gpr::ParameterSet makes of the same values.
+// stored into a template's parameters by its key. The result must have the bytes of the facade,
+// called with the options of gpr::ParameterSet for the same values.
 #include "option_support.h"
 #include "poisson_samples.h"
 
@@ -109,7 +109,7 @@ struct DetectionTool {
 	typedef FeatureDetection<MeshType> Algorithm;
 	typedef typename Algorithm::Params Params;
 
-	/// As the engine numbers vertices: without the deleted ones.
+	/// In the engine's numbering: without deleted vertices.
 	static OptionOutcome ByTemplate(MeshType& m, const Params& params)
 	{
 		typename Algorithm::Features features;
@@ -141,7 +141,7 @@ struct DetectionTool {
 	}
 };
 
-/// What the rows are tried beside: most have an effect then.
+/// Common values of all trials: with these values most rows have an effect.
 const OptionValues& CommonValues()
 {
 	static const OptionValues values = {{"TargetVertexNum", std::int64_t(300)},
@@ -151,7 +151,7 @@ const OptionValues& CommonValues()
 	return values;
 }
 
-/// What a row is tried beside. Sizes follow the error only where there are no feature lines.
+/// The other values of a trial of a row. Without feature lines, sizes follow the error.
 OptionValues ValuesBeside(const std::string& key)
 {
 	OptionValues values = CommonValues();
@@ -204,13 +204,13 @@ ParamsType ParamsOf(const OptionValues& values, gpr::TargetMode targetMode)
 	return params;
 }
 
-/// Rows all of whose other values the mesh of these tests is refused for: it is not symmetric.
+/// Rows whose other values are refused for the test mesh, which is not symmetric.
 bool IsRefusedForTheMesh(const std::string& key)
 {
 	return key == "Symmetry";
 }
 
-/// Whether some value of the row changes the mesh that the tool makes.
+/// Compares template and facade for the values of a row. Returns whether a value changes the mesh.
 template <class ToolType, class MeshType>
 bool ExpectFacadesBytes(const gpr::Parameter& row)
 {
@@ -236,8 +236,8 @@ bool ExpectFacadesBytes(const gpr::Parameter& row)
 	return hasEffect;
 }
 
-/// Rows that decide whether there is a mesh and how fast, but not which; and the sewing and the
-/// junctions, as the mesh has no seams and is manifold.
+/// Rows without an effect on the mesh: a mesh or none, and speed; also sewing and junctions, since
+/// the mesh has no seams and is manifold.
 bool LeavesMeshAlone(const std::string& key)
 {
 	static const std::set<std::string> keys = {"AllowNearest", "Check",   "Junctions",

@@ -10,7 +10,7 @@
 
 namespace gpr_test {
 
-/// About so many points of a mesh, as the sampling puts them.
+/// About vertexNum points of a mesh, placed by the sampling.
 template <class MeshType>
 std::vector<typename MeshType::CoordType> PoissonSamples(MeshType& m, int vertexNum)
 {

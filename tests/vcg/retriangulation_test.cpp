@@ -18,7 +18,7 @@ class RetriangulationTest : public ::testing::Test {
 };
 TYPED_TEST_SUITE(RetriangulationTest, Scalars);
 
-/// The largest distance of a point of one set to the nearest of the other.
+/// The largest distance from a point of `from` to the nearest point of `to`.
 template <class CoordType>
 double LargestDistance(const std::vector<CoordType>& from, const std::vector<CoordType>& to)
 {
@@ -76,7 +76,7 @@ TYPED_TEST(RetriangulationTest, SamplesMayComeFromAnywhereAndLieOffTheSurface)
 	using CoordType     = typename MeshType::CoordType;
 	MeshType m, out;
 	MakeSphere(m, 5);
-	// Spread by the golden angle, on a sphere one hundredth too large.
+	// Spread by the golden angle, on a sphere 1 % too large.
 	std::vector<CoordType> samples;
 	const int              sampleNum = 400;
 	for (int i = 0; i < sampleNum; ++i) {

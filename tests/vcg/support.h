@@ -43,7 +43,7 @@ void MakeTorus(MeshType& m)
 	vcg::tri::UpdateBounding<MeshType>::Box(m);
 }
 
-/// A bent square sheet of 61 by 61 vertices: one rim, four corners.
+/// A bent square sheet of 61 by 61 vertices: one border loop, four corners.
 template <class MeshType>
 void MakeSheet(MeshType& m)
 {
@@ -55,7 +55,7 @@ void MakeSheet(MeshType& m)
 	vcg::tri::UpdateBounding<MeshType>::Box(m);
 }
 
-/// Adds vertices and faces and deletes them again: gaps at both ends, not-a-number in them.
+/// Adds vertices and faces and deletes these elements: gaps at both ends, with not-a-number inside.
 template <class MeshType>
 void AddGaps(MeshType& m)
 {
@@ -84,7 +84,7 @@ void AddGaps(MeshType& m)
 		AllocatorType::DeleteVertex(m, m.vert[v]);
 }
 
-/// The bytes of all elements and the counts: equal means that nothing at all was touched.
+/// The bytes of all elements, and the counts: equal snapshots mean an untouched mesh.
 template <class MeshType>
 struct Snapshot {
 	std::vector<char>          vert, face;
@@ -120,7 +120,7 @@ Snapshot<MeshType> SnapshotOf(const MeshType& m)
 	return Snapshot<MeshType>(m);
 }
 
-/// What vcglib's Clean says of a mesh that has face-face adjacency.
+/// The topology by vcglib's Clean, for a mesh with face-face adjacency.
 struct Topology {
 	int componentNum = 0, holeNum = 0, genus = 0;
 	int nonManifoldEdgeNum = 0, nonManifoldVertexNum = 0;
@@ -145,7 +145,7 @@ Topology TopologyOf(MeshType& m)
 	vcg::tri::UpdateTopology<MeshType>::FaceFace(m);
 	Topology t;
 	t.nonManifoldEdgeNum = CleanType::CountNonManifoldEdgeFF(m);
-	if (t.nonManifoldEdgeNum > 0) return t; // what follows walks over manifold edges
+	if (t.nonManifoldEdgeNum > 0) return t; // the other counts walk over manifold edges
 	t.nonManifoldVertexNum = CleanType::CountNonManifoldVertexFF(m, false);
 	t.componentNum         = CleanType::CountConnectedComponents(m);
 	t.holeNum              = CleanType::CountHoles(m);
@@ -153,8 +153,8 @@ Topology TopologyOf(MeshType& m)
 	return t;
 }
 
-/// Everything a result must be whatever the input: compact, 2-manifold, coherently oriented, no
-/// vertex outside of the faces, no face without area.
+/// Expects a sound result: compact, 2-manifold, coherently oriented, without vertices outside of
+/// faces and without degenerate faces.
 template <class MeshType>
 void ExpectSound(MeshType& m)
 {
@@ -180,7 +180,7 @@ double MeanRadiusRatio(const MeshType& m)
 	return sum / double(m.face.size());
 }
 
-/// A callback that cancels at once.
+/// A callback with the answer 'cancel'.
 inline bool CancelAtOnce(const int, const char*)
 {
 	return false;
