@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A good result with one random fault of each kind: the audit catches every one.
+// A good result with one random fault of each kind: the audit finds each fault.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
@@ -16,7 +16,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Changes one thing; false where it happened to change nothing.
+/// Makes a fault in the mesh; false if nothing has changed.
 struct Mutation {
 	const char* name;
 	bool (*apply)(HalfEdgeMesh& m, Random& random);
@@ -59,7 +59,7 @@ bool copyFace(HalfEdgeMesh& m, Random& random)
 	return f != g;
 }
 
-/// Both halves forget each other: a slit that no figure of the mesh knows of.
+/// Removes the link of both halves of an edge: a slit that the figures of the mesh do not show.
 bool cutEdge(HalfEdgeMesh& m, Random& random)
 {
 	const int h = anyHalfEdge(m, random), g = m.opposite[h];
@@ -75,7 +75,7 @@ bool swapOpposites(HalfEdgeMesh& m, Random& random)
 	return m.opposite[h] != m.opposite[g];
 }
 
-/// A vertex takes over the faces of another far away: two fans at one vertex.
+/// A vertex takes over the faces of a vertex far away: two fans at one vertex.
 bool mergeVertices(HalfEdgeMesh& m, Random& random)
 {
 	const int v = anyVertex(m, random), w = anyVertex(m, random);
@@ -145,7 +145,8 @@ const Mutation mutations[] = {
 
 class AuditMutation : public ::testing::TestWithParam<Mutation> {};
 
-/// Held against the figures of the good result: only the audit's own look at the table can tell.
+/// The input figures are the good result's: only the audit's own look at the table can find the
+/// fault.
 TEST_P(AuditMutation, IsCaught)
 {
 	Workers workers(1, nullptr);

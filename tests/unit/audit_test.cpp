@@ -59,7 +59,7 @@ TEST(Audit, CatchesAWrongOpposite)
 	EXPECT_FALSE(auditAfter(icosphere(2), [](HalfEdgeMesh& m) { m.opposite[30] = -1; }).passed);
 }
 
-/// Held against good figures: only the table is wrong.
+/// The input figures are the good result's: only the table is wrong.
 TEST(Audit, CatchesAVertexTwiceInAFace)
 {
 	Workers           workers(1, nullptr);
@@ -120,7 +120,7 @@ TEST(Audit, CatchesADroppedFace)
 	EXPECT_FALSE(a.eulerKept);
 }
 
-/// Each figure of the topology by itself, all others being right.
+/// Each figure of the topology alone is wrong.
 TEST(Audit, CatchesEachChangeOfTopology)
 {
 	Workers           workers(1, nullptr);
@@ -174,7 +174,8 @@ TEST(Audit, CountsFacesThatLookAgainstTheSurface)
 	EXPECT_TRUE(a.passed);
 }
 
-/// Exactly those that look down: their neighbours' corners see them, too, and raise no alarm.
+/// The inverted faces are exactly the faces that look down, although corners of their neighbours
+/// look down, too.
 TEST(Audit, CountsAsInvertedWhatLooksAgainstWhatItStandsFor)
 {
 	Random       random(4);

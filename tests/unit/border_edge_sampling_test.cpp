@@ -62,7 +62,7 @@ struct Sampled {
 	BoundaryCurves     boundary;
 	BorderEdgeSampling result;
 
-	/// Of disks of the given sizes, over the radius, where z > 0 and where it is not.
+	/// sizeAbove, sizeBelow: disk sizes over the radius, for z > 0 and for the rest.
 	Sampled(const TriangleMesh& mesh, float radius, std::uint32_t seed, float sizeAbove = 1,
 			float sizeBelow = 1) :
 			surface(surfaceOf(mesh, workers)),
@@ -86,9 +86,9 @@ struct Sampled {
 	Vec3d                      place(int s) const { return Vec3d(samples()[s].point.position); }
 };
 
-/// Step 5: every sample but the border's lies at distance r from an earlier one, up to what
-/// unfolding overrates the way (5 % at most, 2 % in the mean), and the few that moved to the end of
-/// their edge.
+/// Step 5: every sample except border samples lies at distance r from an earlier sample. Unfolding
+/// overrates the way by at most 5 %, 2 % in the mean; a few samples have moved to the end of their
+/// edge.
 TEST(BorderEdgeSampling, PlacesEachSampleAtDistanceROfAnEarlierOne)
 {
 	const float   r = 0.02f;
@@ -112,8 +112,8 @@ TEST(BorderEdgeSampling, PlacesEachSampleAtDistanceROfAnEarlierOne)
 	}
 }
 
-/// Where the border of the union of all disks crosses an edge, and not that of one disk, and on
-/// edges that it still crosses: such places are seldom nearer to a sample than r.
+/// Samples on the border of one disk may lie within another disk; such places are seldom nearer to
+/// a sample than r.
 TEST(BorderEdgeSampling, SeldomPlacesASampleNearerThanR)
 {
 	const float r    = 0.02f;
@@ -224,7 +224,7 @@ TEST(BorderEdgeSampling, FusesEverySampleIntoAMeshOfTheSameTopology)
 	}
 }
 
-/// What it was fused into while sampling is all that the paper's retriangulation needs.
+/// The paper's retriangulation needs only the mesh into which the sampling has fused the samples.
 TEST(BorderEdgeSampling, FusedMeshLeadsToAMeshOfTheSamples)
 {
 	for (const TriangleMesh& mesh : {icosphere(5), torus(90, 46), squareFrame(60, 20)}) {

@@ -73,7 +73,7 @@ TEST_F(SampleBoundary, KeepsTheCornersOfAHexagonButNotOfAnOctagon)
 	}
 }
 
-/// Three lines from pole to pole: were each one edge only, they would fall together.
+/// Three lines from pole to pole: with a single edge each, the lines would coincide.
 TEST_F(SampleBoundary, LinesBetweenTheSameNodesHaveTwoEdgesAtLeast)
 {
 	TriangleMesh spindle = uvSphere(24, 3);

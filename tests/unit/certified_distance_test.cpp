@@ -24,7 +24,7 @@ double diagonalOf(const TriangleMesh& mesh)
 	return measureMesh(mesh.view()).diagonal;
 }
 
-/// From the points of one mesh to another.
+/// Bounds of the distance from the points of one mesh to another mesh.
 DistanceBounds boundsOf(const TriangleMesh& from, const TriangleMesh& to, int threads = 2,
 						std::int64_t budget = 4000000)
 {
@@ -34,7 +34,7 @@ DistanceBounds boundsOf(const TriangleMesh& from, const TriangleMesh& to, int th
 	return certifiedDistances(to.view(), from.view(), settings, workers).toInput;
 }
 
-/// That the bounds hold the distance and are as near to each other as promised.
+/// Expects that the bounds hold the distance and are as close as promised.
 void expectTight(const DistanceBounds& b, double distance, double diagonal)
 {
 	EXPECT_FALSE(b.isBudgetSpent);
@@ -75,7 +75,7 @@ TEST(CertifiedDistance, OfParallelPlanesIsTheirGap)
 	}
 }
 
-/// Of planes that overlap in part the border is farthest: there is no cover.
+/// For planes with a partial overlap, the border is farthest: no cover exists there.
 TEST(CertifiedDistance, BeyondABorderIsThatToTheBorder)
 {
 	const TriangleMesh ground = grid(9, 9), moved = shifted(grid(31, 31), {0.3, 0, 0.4});
@@ -89,7 +89,7 @@ TEST(CertifiedDistance, OfARampIsThatOfItsEnd)
 	expectTight(boundsOf(grid(3, 3), tilted(grid(40, 40), 0.1)), 0.1 / std::sqrt(1.01), 1.5);
 }
 
-/// The icosahedron in the unit sphere: its faces' middles are farthest.
+/// The icosahedron in the unit sphere: the middles of its faces are farthest.
 TEST(CertifiedDistance, OfASphereAndAPolyhedron)
 {
 	const TriangleMesh   sphere = icosphere(6), solid = icosphere(0);
@@ -148,7 +148,7 @@ TEST(CertifiedDistance, HoldsWhatManyPointsShow)
 	}
 }
 
-/// What is farthest is known: the tip of a spike, or a plane's corner.
+/// The farthest point is known: the tip of a spike, or a plane's corner.
 TEST(CertifiedDistance, LowerIsNoMoreThanTheTruth)
 {
 	for (const std::uint32_t seed : testSeeds(40)) {
@@ -180,7 +180,7 @@ TEST(CertifiedDistance, TakesAnySetOfFaces)
 	TriangleMesh wild = grid(3, 3);
 	wild.positions.push_back({0.5, 0.5, 9});
 	wild.positions.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
-	// Three faces at an edge, one that is not finite, one with a corner twice.
+	// Three faces at an edge, a face with a corner that is not finite, a face with a corner twice.
 	wild.triangles.insert(wild.triangles.end(), {0, 5, 16, 0, 1, 17, 1, 1, 2});
 	expectTight(boundsOf(wild, grid(5, 5)), 9, 9.2);
 	EXPECT_LE(boundsOf(shifted(grid(5, 5), {0, 0, 0.2}), wild).upper, 1.02 * 0.2);

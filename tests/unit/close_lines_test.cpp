@@ -19,7 +19,7 @@ protected:
 
 	Vec3d place(int v) const { return surface.frame.toCaller(surface.mesh.position[v]); }
 
-	/// Marks the edges both of whose ends are on a line.
+	/// Marks the edges with both ends on a line.
 	template <class IsOn>
 	void markWhere(const IsOn& isOn)
 	{
@@ -82,7 +82,7 @@ TEST_F(CloseLines, OneLineOfALowStepStays)
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20) << "far enough apart";
 }
 
-/// Who takes sharp edges as they are gets them all.
+/// FeatureMode::Lines keeps all crease edges.
 TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
 {
 	CreaseRules rules;
@@ -92,7 +92,7 @@ TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20);
 }
 
-/// Nothing else would hold its two sides apart.
+/// Only both outlines keep the two sides of the plate apart.
 TEST_F(CloseLines, BothOutlinesOfAThinPlateStay)
 {
 	CreaseRules rules;
@@ -117,8 +117,7 @@ TEST_F(CloseLines, WhereTheyMeetTheyAreNotClose)
 	EXPECT_TRUE(find(0.04).empty()) << "half a cell from the middle they are 0.025 apart";
 }
 
-/// Two parallel lines half as long as each other: the longer one stays, and so does what of the
-/// other is not beside it.
+/// Two parallel lines, one half as long as the other: the longer line stays whole.
 TEST_F(CloseLines, OnlyTheStretchBesideGoes)
 {
 	surface = surfaceOf(grid(20, 20), workers);

@@ -14,7 +14,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Orders and connects; the mesh as it was before and after is left in the members.
+/// Orders and connects a mesh; the members have the mesh after each step.
 struct Connected {
 	Workers      workers{2, nullptr};
 	IndexedMesh  indexed;
@@ -73,7 +73,7 @@ TEST_P(Connect, DamageIsNoticed)
 	for (int round = 0; round < 20; ++round) {
 		const TriangleMesh mesh  = damaged(icosphere(1), 1 + random.below(3), random);
 		const SurfaceFacts facts = factsOf(mesh);
-		if (facts.repeatedCorners > 0) continue; // loading drops those
+		if (facts.repeatedCorners > 0) continue; // loading drops such faces
 		EXPECT_EQ(Connected(mesh).ok, facts.isManifold()) << facts.complaints();
 	}
 }
@@ -135,7 +135,7 @@ TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
 	}
 }
 
-/// Where the rough vertices of a mesh lie, in working units.
+/// The places of the rough vertices of a mesh, in working units.
 std::vector<Vec3f> roughPlaces(const TriangleMesh& mesh)
 {
 	const Connected    c(mesh);
@@ -148,7 +148,8 @@ std::vector<Vec3f> roughPlaces(const TriangleMesh& mesh)
 
 TEST(ConnectNormals, AtSharpEdgesAreMarked)
 {
-	// Of a cube the edges, eight corners and three vertices on each of twelve; nothing inside.
+	// On a cube the vertices of edges are rough: eight corners and three vertices on each of twelve
+	// edges.
 	const std::vector<Vec3f> places = roughPlaces(cube(4));
 	EXPECT_EQ(int(places.size()), 8 + 12 * 3);
 	EXPECT_TRUE(roughPlaces(icosphere(4)).empty());
@@ -158,7 +159,7 @@ TEST(ConnectNormals, OfThinFacesAreMarkedAtAllCorners)
 {
 	TriangleMesh mesh = grid(2, 2);
 	EXPECT_TRUE(roughPlaces(mesh).empty());
-	// A face on the first one's border edge, with its third corner on the edge's line.
+	// A second face on a border edge, with the third corner on the line of the edge.
 	const int a = 0, b = 1; // two corners in a row along the lower border
 	mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5);
 	mesh.triangles.insert(mesh.triangles.end(), {b, a, int(mesh.vertexNum()) - 1});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a vertex of the result may do, and where it gets on the surface and on a curve.
+// Freedoms of a vertex of the result, and its ways on the surface and on a curve.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
@@ -16,7 +16,7 @@ namespace gpr::test {
 
 namespace {
 
-/// The vertex of the result at a point of the caller's.
+/// The vertex of the result at a point of the input.
 int vertexAt(const OnSurface& on, const Vec3d& p)
 {
 	for (int v = 0; v < on.result.mesh.vertexNum; ++v) {
@@ -113,7 +113,7 @@ TEST(SlideRoom, IsNoneForPinnedVerticesAndInside)
 	EXPECT_FALSE(slideRoom(on.result, on.boundary, inside).isOpen());
 }
 
-/// A slide off the corner of a square would cut it off.
+/// A slide away from the corner of a square would cut the corner off.
 TEST(SlideKeepsToCurve, OnAStraightSideButNotAtItsEnd)
 {
 	OnSurface  on(grid(8, 8));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether a change would make faces touch that did not.
+// Whether a change would make a new contact.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
@@ -14,7 +14,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A triangle in the plane y = 0 round (x, 0, z), one unit wide.
+/// A triangle in the plane y = 0 round (x, 0, z), a unit wide.
 TriangleMesh upright(double x, double z = 0)
 {
 	return {{{x - 0.5, 0, z - 0.5}, {x + 0.5, 0, z - 0.5}, {x, 0, z + 0.5}}, {0, 1, 2}};

@@ -82,7 +82,7 @@ TEST(ContractEdges, ABridgeBetweenTwoHolesStays)
 	TriangleMesh mesh;
 	mesh.positions = {{-2, -1, 0}, {0, -1, 0}, {2, -1, 0}, {-1, 0, 0}, {0, 0, 0},
 					  {0, 0, 0},   {1, 0, 0},  {-2, 1, 0}, {0, 1, 0},  {2, 1, 0}};
-	// Two triangles below and above the edge 4-5, each joined to it alone.
+	// Two triangles below and above the edge 4-5, with only this edge in common.
 	mesh.triangles = {4, 1, 5, 5, 8, 4};
 	const Contracted r(mesh);
 	EXPECT_EQ(r.counts.contractedEdges, 0);
@@ -99,7 +99,7 @@ TEST(ContractEdges, AnEdgeOfTheBorderIsContracted)
 	EXPECT_TRUE(hasSameTopology(r.after, mesh));
 }
 
-/// The tip of a cone as a ring of vertices at one place, with a face or two over it.
+/// The apex of a cone as a ring of vertices at one place, covered by faces.
 TEST(ContractEdges, ACapWithoutSizeBecomesATip)
 {
 	TriangleMesh cone = closedCylinder(6, 3, 1, 3);
@@ -111,7 +111,7 @@ TEST(ContractEdges, ACapWithoutSizeBecomesATip)
 	EXPECT_TRUE(hasSameTopology(r.after, icosphere(0)));
 }
 
-/// A hole without area is a seam that was not sewn at its end.
+/// A hole without area is the end of a seam that was not sewn.
 TEST(ContractEdges, ASlitOfThreeEdgesIsClosed)
 {
 	const TriangleMesh whole = icosphere(2);
@@ -124,7 +124,7 @@ TEST(ContractEdges, ASlitOfThreeEdgesIsClosed)
 	EXPECT_TRUE(hasSameTopology(r.after, whole));
 }
 
-/// Its three edges are those of the face itself, and no hole.
+/// The three edges of a single face are no hole.
 TEST(ContractEdges, ASingleFaceIsNoSlitAndGone)
 {
 	TriangleMesh face;

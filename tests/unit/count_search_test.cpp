@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The search for the count of an error, and the distance it looks at.
+// The search for the count of an error, and the measured distance.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
@@ -58,7 +58,7 @@ double largestDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& wo
 
 } // namespace
 
-/// Every trial that misses is followed by one that is finer there.
+/// The share of the surface beyond the goal falls with each finer trial.
 TEST(SearchCount, MeetsTheGoalWithinFiveTrials)
 {
 	for (const double power : {0.75, 1.0}) {
@@ -75,7 +75,7 @@ TEST(SearchCount, MeetsTheGoalWithinFiveTrials)
 			};
 			const std::int64_t found = searchCount(goalOf(0.5, start), trial);
 			EXPECT_LE(trials, 5);
-			if (start < 8000) continue; // so far off that five trials may not do
+			if (start < 8000) continue; // too far off for five trials
 			EXPECT_GE(found, 20000) << power << " from " << start;
 			EXPECT_LE(found, 50000) << power << " from " << start;
 		}
@@ -116,7 +116,7 @@ TEST(SearchCount, EndsWithTheFewestThatMet)
 	EXPECT_LE(search.trialNum, 5);
 }
 
-/// As on the fandisk: where a count misses the goal that is at few places.
+/// As on the fandisk: a count misses the goal at few places only.
 TEST(SearchCount, ComesNearTheFewestWhereFewPlacesMissTheGoal)
 {
 	constexpr std::int64_t fewest  = 1700;
@@ -201,7 +201,7 @@ TEST(SampledDistance, OfTwoSpheresIsThatOfTheirRadii)
 TEST(SampledDistance, IsFoundInsideOfLargeFaces)
 {
 	Workers workers(2, nullptr);
-	// A tent over the middle of two huge triangles, and a hole that only the other way sees.
+	// A tent over the middle of two huge triangles, and a hole that only the other direction sees.
 	TriangleMesh tent = grid(20, 20);
 	for (Vec3d& p : tent.positions)
 		p.z = std::max(0.0, 0.1 - length(p - Vec3d(0.7, 0.4, 0)));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A triangle's distance from the surface above it, proven by the degree of a projection.
+// The distance from a triangle to the surface above, proven by the degree of a projection.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
@@ -77,7 +77,7 @@ TEST(CoverBound, AHoleOverThePieceIsNoCover)
 	EXPECT_EQ(boundOver(soupOf(grid(6, 6), 0, random), piece, 1), none);
 }
 
-/// Walls above the piece: three layers cover it, two do not.
+/// Walls above the piece: three layers cover the piece, two do not.
 TEST(CoverBound, FoldsCountByTheirNumber)
 {
 	const auto folded = [](double x) {

@@ -69,7 +69,7 @@ protected:
 		return edge;
 	}
 
-	/// Cuts v off the wall: the one face left to it there lies in the plane of the lid.
+	/// Flips the edges from v to the wall: the last wall face at v lies in the plane of the lid.
 	void cutOff(int v)
 	{
 		for (int h = wallEdge(v); h >= 0; h = wallEdge(v))

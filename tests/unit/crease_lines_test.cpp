@@ -29,7 +29,7 @@ protected:
 		markOnSurface();
 	}
 
-	/// The same after edges were split that are longer than a share of the mean.
+	/// Marks after splits of all edges longer than a share of the mean.
 	void markSplit(const TriangleMesh& mesh, float share)
 	{
 		IndexedMesh indexed   = loaded(mesh, workers);
@@ -53,7 +53,7 @@ protected:
 		EXPECT_EQ(marked, 2 * found.edgeNum);
 	}
 	Vec3d place(int v) const { return surface.frame.toCaller(surface.mesh.position[v]); }
-	/// Vertices where so many feature edges meet.
+	/// The number of vertices with `creaseNum` crease edges.
 	int vertexNumWith(int creaseNum) const
 	{
 		int n = 0;
@@ -152,7 +152,7 @@ TEST_F(MarkCreases, NoneOnANoisySphere)
 	EXPECT_TRUE(found.wasNoise) << "the test wants noise with sharp edges";
 }
 
-/// New edges inside of faces are flat, and the noise must not stand out from them.
+/// Splits make flat edges inside of faces; the noise must not stand out from these edges.
 TEST_F(MarkCreases, NoneOnANoisySphereWhateverWasSplit)
 {
 	for (float share : {1.2f, 0.7f, 0.3f}) {
@@ -197,7 +197,7 @@ TEST_F(MarkCreases, TheTipOfACone)
 	EXPECT_EQ(found.edgeNum, 0);
 }
 
-/// Each of the twelve tips of an icosahedron, of 60°, has five others beside it.
+/// Each of the twelve tips of an icosahedron, of 60°, has five tips as neighbours.
 TEST_F(MarkCreases, NoTipOfAPolyhedronIsThatOfACone)
 {
 	rules.strongDeg = 50;
@@ -266,7 +266,7 @@ TEST_F(MarkCreases, LeavesOutWhatIsTooShort)
 	EXPECT_EQ(found.edgeNum, 0);
 }
 
-/// The edges of a flat grid along x = 0.5, given by the caller: one mark an edge, on either face.
+/// The edges of a flat grid along x = 0.5 as given lines: one mark for each edge, on either face.
 std::vector<std::uint8_t> middleLine(const TriangleMesh& mesh)
 {
 	std::vector<std::uint8_t> line(mesh.triangles.size(), 0);
@@ -295,7 +295,7 @@ TEST(GivenLines, AreMarkedWhereNothingIsSharp)
 	}
 }
 
-/// FeatureMode::Given: of a cube whose edges are all sharp only the line that is given.
+/// FeatureMode::Given: only the given line, although all edges of the cube are sharp.
 TEST(GivenLines, MayBeTheOnlyOnes)
 {
 	const TriangleMesh        mesh = cube(8);
@@ -341,8 +341,8 @@ TEST(GivenLines, AreEdgesOfTheResult)
 
 } // namespace
 
-/// The whole way: asked for more vertices than it has, a noisy mesh is split before the noise is
-/// seen.
+/// A whole run: for more vertices than the mesh has, a noisy mesh is split before the noise is
+/// measured.
 TEST(FeatureLines, FollowNoNoiseHoweverManyVerticesAreWanted)
 {
 	Random             random(5);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Curve vertices off their curves, where the polygon of the result's edges lies closest to them.
+// Curve vertices move off their curves to the least distance between the result's edges and the
+// curves.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
@@ -19,8 +20,8 @@ namespace gpr::test {
 
 namespace {
 
-/// A coarse mesh laid on a fine one of the same shape: each of its vertices stands on one of the
-/// fine one's.
+/// A coarse mesh laid on a fine mesh of the same shape: each vertex lies at a vertex of the fine
+/// mesh.
 struct Laid {
 	Workers        workers{2, nullptr};
 	Surface        surface;
@@ -37,7 +38,7 @@ struct Laid {
 			p = Vec3d(surface.frame.toWorking(p));
 		Surface coarseSurface = surfaceOf(laid, workers);
 		result                = resultOf(coarseSurface, {});
-		// Working coordinates of the one surface, not of the other.
+		// In the working coordinates of `surface`, not of `coarseSurface`.
 		for (int v = 0; v < result.mesh.vertexNum; ++v)
 			result.mesh.position[v] =
 				Vec3f(coarseSurface.frame.toCaller(coarseSurface.mesh.position[v]));
@@ -47,7 +48,7 @@ struct Laid {
 		lookUpRecords();
 	}
 
-	/// Sharp edges, however short the lines.
+	/// Marks all crease edges, even of short lines.
 	void markRims(Surface& s)
 	{
 		CreaseRules rules;
@@ -179,7 +180,7 @@ TriangleMesh wavySheet(int n)
 	return mesh;
 }
 
-/// Fits, and fails where more than these shares are left of the distances.
+/// Fits, and fails if more than these shares of the distances are left.
 void expectNearerByFit(Laid& laid, double shareOfRms, double shareOfFarthest)
 {
 	const double rms = laid.rms(), farthest = laid.farthest();
@@ -196,8 +197,9 @@ TEST(FitCurves, WavyBordersAreMetTwiceAsWellByVerticesOffThem)
 	expectNearerByFit(laid, 0.55, 0.8);
 }
 
-/// Edges on the circle leave it by their sagitta s, which has a root mean square of 0.73 s; moved
-/// out they have 0.30 s at best, and two thirds of the largest distance.
+/// Edges on the circle leave the circle by their sagitta s, with a root mean square of 0.73 s.
+/// After the best move outwards the root mean square is 0.30 s, and the largest distance two
+/// thirds.
 TEST(FitCurves, TheRimsOfACylinderToo)
 {
 	Laid laid(closedCylinder(160, 40, 1, 2), closedCylinder(16, 4, 1, 2));
@@ -234,7 +236,7 @@ TEST(FitCurves, CornersPinnedVerticesAndTheInsideStay)
 
 TEST(FitCurves, NoVertexLeavesItsCurveFar)
 {
-	// So coarse that the waves are cut off.
+	// So coarse that edges cut the waves off.
 	Laid laid(wavySheet(120), wavySheet(4));
 	laid.fit();
 	const std::vector<Vec3d> curve = laid.segments();
@@ -276,8 +278,7 @@ TEST(FitCurves, RecordsStayOnTheCurves)
 	}
 }
 
-/// The faces of the coarse lids have 22° at the centre; those outside may have less than 32° if
-/// none had.
+/// The faces of the coarse lids have 22° at the centre; only lid faces may have less than 32°.
 TEST(FitCurves, NoAngleBelowTheLeastFallsFurther)
 {
 	constexpr float     minAngle = 0.56f;

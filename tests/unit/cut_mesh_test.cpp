@@ -17,7 +17,7 @@ class CutMeshTest : public ::testing::Test {
 protected:
 	Workers workers{2, nullptr};
 
-	/// Checks a cut mesh against the one it was made from; returns it.
+	/// Cuts a mesh and compares both meshes.
 	CutMesh cut(const HalfEdgeMesh& m, const Buffer<char>& lines)
 	{
 		CutMesh cut = cutAlong(m, lines);

@@ -84,7 +84,7 @@ double onPlane(const Vec3d& a, const Vec3d& b)
 	return length(a - b);
 }
 
-/// What is off are the normals, packed in 32 bits.
+/// Only the packing of the normals in 32 bits makes errors.
 TEST(DiskFlood, OnAPlaneIsTrueToThePackedNormals)
 {
 	Random random(1);
@@ -92,8 +92,8 @@ TEST(DiskFlood, OnAPlaneIsTrueToThePackedNormals)
 		Flooded(mesh).expectDistances({0.4, 0.45, 0}, 0.3, onPlane, 3e-4);
 }
 
-/// At right and obtuse angles the triangle that the straight way comes through is settled after the
-/// vertex it leads to, which has to be visited again.
+/// At right and obtuse angles, the triangle on the straight way is settled after the vertex at its
+/// end; the vertex has to be visited again.
 TEST(DiskFlood, UnfoldingFindsTheStraightWayAtObtuseAngles)
 {
 	Random random(1);
@@ -117,7 +117,7 @@ TEST(DiskFlood, UnfoldingFindsTheStraightWayAtObtuseAngles)
 
 TEST(DiskFlood, OnAPlaneDistancesGoRoundNoCorner)
 {
-	// The hole lies in the way: nothing behind it is nearer than the way round, and little farther.
+	// The hole lies in the way: the vertex behind is as far as the way round, or little farther.
 	Flooded   f(squareFrame(60, 20));
 	DiskFlood flood(f.surface, f.field, f.working(0.9));
 	flood.run(0, f.sampleAt(f.vertexNearest({0.2, 0.5, 0})));
@@ -181,8 +181,8 @@ double onHyperbolicPlane(const Vec3d& a, const Vec3d& b)
 	return std::acosh(1 + dot(way, way) / (2 * a.y * b.y));
 }
 
-/// Ways under a stretch bend towards where it is least, so that only a front that is corrected
-/// after it has passed comes near the closed form.
+/// Ways under a stretch bend towards places of small stretch: only a front with later corrections
+/// comes near the closed form.
 TEST(DiskFlood, UnderAStretchIsTheDistanceOfTheHyperbolicPlane)
 {
 	TriangleMesh mesh = grid(80, 60);
@@ -196,7 +196,7 @@ TEST(DiskFlood, UnderAStretchIsTheDistanceOfTheHyperbolicPlane)
 					  {f.surface.mesh, f.surface.normal, &stretch, false});
 }
 
-/// The same bits as without: what is stretched by nothing is no other case.
+/// The stretch 1 gives the same bits as no stretch.
 TEST(DiskFlood, AStretchOfOneChangesNothing)
 {
 	const TriangleMesh sphere = icosphere(4);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether a change would take a mesh farther from points that it stands for.
+// Whether a change would take a mesh farther from its assigned points.
 
 #include <tests/support/stages.h>
 #include <vcg_extras/core/guard/distance_guard.h>
@@ -14,16 +14,16 @@ namespace gpr::test {
 
 namespace {
 
-/// Up to so much points may get farther off.
+/// The distance by which points may move away.
 constexpr double enough = 0.1;
 
-/// A square of two triangles, each of whose vertices stands for itself.
+/// A square of two triangles; each vertex is its own assigned point.
 GuardedMesh square()
 {
 	return {halfEdgesOf({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}}), false};
 }
 
-/// The faces with one vertex raised.
+/// The faces after raising a vertex.
 std::vector<NamedTriangle> raised(const GuardedMesh& g, int v, float height)
 {
 	std::vector<NamedTriangle> made;
@@ -63,7 +63,7 @@ TEST(DistanceGuard, AllowsWhatIsAsFarAsBefore)
 	EXPECT_FALSE(mayRaise(g, 0.25f));
 }
 
-/// A fixed vertex' points lie on faces that a neighbour may move.
+/// Assigned points of a fixed vertex lie on faces that a neighbour may move.
 TEST(DistanceGuard, LooksAtPointsOfFixedVerticesBesideOthers)
 {
 	GuardedMesh g = square();

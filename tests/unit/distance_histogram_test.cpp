@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The p99.9 of counted distances, against a sort of all of them.
+// The p99.9 of counted distances, compared with a sort of all distances.
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/surface/distance_histogram.h>
 
@@ -33,7 +33,7 @@ double counted(const std::vector<double>& distances)
 	return histogram.p999(largestOf(distances));
 }
 
-/// The smallest one above which there is at most one in a thousand.
+/// The smallest distance with at most one distance in a thousand above.
 double sorted(std::vector<double> distances)
 {
 	std::sort(distances.begin(), distances.end());
@@ -70,7 +70,7 @@ TEST(DistanceHistogram, IsWithinItsBoundOfASort)
 	}
 }
 
-/// At the lower ends of bins, where counting errs most, below them, and between them.
+/// At the lower ends of bins, with the largest error of counting, below these ends, and between.
 TEST(DistanceHistogram, IsWithinItsBoundEverywhereInABin)
 {
 	for (const int bin : {0, 1, 2, 777, 1023, 1024, 2046, 2047}) {

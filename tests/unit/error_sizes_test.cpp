@@ -45,7 +45,7 @@ Vec3d placeOf(const Surface& surface, int v)
 	return surface.frame.toCaller(surface.mesh.position[v]);
 }
 
-/// A sheet, flat up to x = 0.5, where it breaks off and goes on as an arch.
+/// A sheet, flat up to x = 0.5, with an arch behind a break.
 TriangleMesh sheetWithArch(int n)
 {
 	TriangleMesh mesh = grid(n, n);
@@ -80,7 +80,7 @@ TEST_F(ErrorSizesTest, AreTheLargestOnAPlane)
 		EXPECT_EQ(size, largest);
 }
 
-/// Coordinates are rounded. That is no reason for small triangles, even where nothing else is.
+/// Rounding of coordinates is no reason for small triangles, even on an otherwise flat surface.
 TEST_F(ErrorSizesTest, AreTheLargestWhereAPlaneHasAStepOfRounding)
 {
 	TriangleMesh plane = grid(60, 60);
@@ -90,7 +90,7 @@ TEST_F(ErrorSizesTest, AreTheLargestWhereAPlaneHasAStepOfRounding)
 		EXPECT_EQ(size, largest);
 }
 
-/// Two planes that meet in an edge: the bend is narrower than any triangle.
+/// Two planes with a common edge: the bend is narrower than any triangle.
 TEST_F(ErrorSizesTest, AreSmallAtARidgeAndTheLargestFarFromIt)
 {
 	const Surface       roof = surfaceOf(bentSheet(80, 1.2), workers);
@@ -106,7 +106,7 @@ TEST_F(ErrorSizesTest, AreSmallAtARidgeAndTheLargestFarFromIt)
 	}
 }
 
-/// The other side of a thin plate is near, but not joined to this one but round the rim.
+/// The other side of a thin plate is near, but linked to this side only round the rim.
 TEST_F(ErrorSizesTest, OfAThinPlateAreSmallAtItsRimOnly)
 {
 	const Surface       plate = surfaceOf(thinPlate(60, 0.01), workers);
@@ -155,10 +155,11 @@ TEST_F(ErrorSizesTest, GrowNoFasterThanTheirSlope)
 	}
 }
 
-/// Edges that leave a disk are cut at its circle: long ones show as much of a ridge as short ones.
+/// Edges across the circle of a disk are cut at the circle: long edges show as much of a ridge as
+/// short edges.
 TEST_F(ErrorSizesTest, AreTheSameHoweverLongTheEdgesAre)
 {
-	const TriangleMesh  coarse = bentSheet(20, 1.2); // edges of one triangle of the result
+	const TriangleMesh  coarse = bentSheet(20, 1.2); // as long as edges of the result
 	const Surface       few    = surfaceOf(coarse, workers);
 	const Surface       many   = surfaceOf(subdivided(subdivided(coarse)), workers);
 	const Buffer<float> a = sizes(few, 0.05), b = sizes(many, 0.05);
@@ -171,7 +172,7 @@ TEST_F(ErrorSizesTest, AreTheSameHoweverLongTheEdgesAre)
 	EXPECT_NEAR(atRidge(few, a), atRidge(many, b), 0.1);
 }
 
-/// The noise of a scan is no reason for small triangles, even where a ridge needs few of them.
+/// The noise of a scan is no reason for small triangles, not even if a ridge needs few vertices.
 TEST_F(ErrorSizesTest, LeaveNoiseAlone)
 {
 	for (const double noise : {0.05, 0.1, 0.2}) {
@@ -223,7 +224,7 @@ TEST(SizeGrading, LowersARampRoundASmallSize)
 	EXPECT_EQ(small, lowered);
 }
 
-/// Sizes lowered by one edge after the other until nothing changes.
+/// Sizes lowered edge by edge until nothing changes.
 void gradeSlowly(const HalfEdgeMesh& m, float steepest, Buffer<float>& size)
 {
 	for (bool changed = true; changed;) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The exact side of a plane, and faces that touch.
+// The exact side of a plane, and contacts of faces.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
@@ -46,7 +46,7 @@ int wholeOrientation(const WholePoint& a, const WholePoint& b, const WholePoint&
 				  (Wide(u.z) * v.x - Wide(u.x) * v.z) * w.y);
 }
 
-/// Floats hold it: 24 bits, and so many zeros behind.
+/// A number that a float holds: 24 bits, and `zeros` zeros behind.
 std::int64_t wholeNumber(Random& random, int zeros)
 {
 	return (std::int64_t(random.between(0, 4194304)) - 2097152) * (std::int64_t(1) << zeros);
@@ -86,7 +86,7 @@ TEST(Orientation, IsTheSignOfWholeNumbers)
 		// Points far from and near to each other: differences are exact in a double or are not.
 		const WholePoint a = wholePoint(random, i % 3 == 0 ? 14 : 0);
 		const WholePoint b = wholePoint(random, 0), c = wholePoint(random, i % 5 == 0 ? 12 : 0);
-		// In the plane of the others, or a unit off.
+		// In the plane of the other points, or a unit off.
 		WholePoint d{b.x + c.x - a.x, b.y + c.y - a.y, b.z + c.z - a.z};
 		if (double(float(d.x)) != double(d.x) || double(float(d.y)) != double(d.y) ||
 			double(float(d.z)) != double(d.z))
@@ -106,7 +106,7 @@ TEST(Orientation, SeesTheLastBitOfAFloat)
 	EXPECT_EQ(orientation(a, b, c, {0.3f, 0.3f, 0.1f}), 0);
 	EXPECT_EQ(orientation(a, b, c, {0.3f, 0.3f, std::nextafter(0.1f, 1.0f)}), 1);
 	EXPECT_EQ(orientation(a, b, c, {0.3f, 0.3f, std::nextafter(0.1f, 0.0f)}), -1);
-	// Where a difference does not fit in a double.
+	// Differences that do not fit in a double.
 	const Vec3f tiny(1e-25f, 0, 0);
 	EXPECT_EQ(orientation(tiny, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-20f}), 1);
 	EXPECT_EQ(orientation(tiny, {1, 0, 0}, {0, 1, 0}, {0.5f, 0.5f, 0}), 0);
@@ -186,7 +186,7 @@ TEST(TouchingPairs, AreThoseOfAllPairs)
 	EXPECT_EQ(findTouchingPairs(m, workers, Seams::Joined, first), late);
 }
 
-/// Where border vertices at one place are named alike, a face without area has a name twice.
+/// If border vertices at one place have the same name, a degenerate face has a name twice.
 TEST(TouchingFaces, MayHaveANameTwice)
 {
 	const NamedTriangle line = triangle(1, 1, 5, {1, 0, 0}, {1, 0, 0}, {2, 0, 0});
@@ -215,8 +215,8 @@ TEST(TouchingPairs, AreNoneAlongCutsButWhereBordersRunThroughFaces)
 		<< "a vertex on an edge of the other touches it";
 }
 
-/// Few or many vertices move, edges are flipped, a vertex comes in, faces die: what is known gives
-/// the same as a search from nothing.
+/// Few or many vertices move, edges are flipped, a vertex comes in, faces die: the updated contacts
+/// are the contacts of a fresh search.
 TEST(KnownContacts, AreThoseOfASearchFromNothing)
 {
 	Workers workers(2, nullptr);

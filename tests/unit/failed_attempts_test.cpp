@@ -11,7 +11,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A flat grid; faces 2i and 2i + 1 are those of square i, row by row.
+/// A flat grid; square i, row by row, has the faces 2i and 2i + 1.
 class FailedAttemptsOnAGrid : public ::testing::Test {
 protected:
 	static constexpr int n = 20;
@@ -40,7 +40,7 @@ TEST_F(FailedAttemptsOnAGrid, ForgetsWhereSomethingNearChanges)
 	}
 }
 
-/// Flipped and back, the two faces of an edge have each other's numbers.
+/// Flipped and back, the two faces of an edge have exchanged their numbers.
 TEST_F(FailedAttemptsOnAGrid, KnowsFacesWhateverTheirNumber)
 {
 	int h = 3 * face;

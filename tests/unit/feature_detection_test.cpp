@@ -17,8 +17,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A surface and its features with the default thresholds, the support given in mesh units or,
-/// where 0, in mean edges.
+/// A surface and its features with the default thresholds. The support is in mesh units; 0 is the
+/// default support, in mean edges.
 struct Found {
 	Workers      workers{2, nullptr};
 	Surface      surface;
@@ -80,7 +80,7 @@ TEST_P(Fold, IsALineOneEdgeWideFromEndToEnd)
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Fold, ::testing::Values(5, 15, 30, 45, 60, 90, 120, 150));
 
-/// The same shape and support on meshes of very different density, and with both in one mesh.
+/// The same shape and support on meshes of very different density.
 TEST(FeatureStrength, DoesNotDependOnTheDensity)
 {
 	const double support = 0.045; // below its largest
@@ -106,8 +106,8 @@ TEST(FeatureStrength, DoesNotDependOnTheDensity)
 	}
 }
 
-/// On a sphere of radius R the mean normal of a half-disk of radius s is that of the point 4s/3π
-/// from its straight side.
+/// On a sphere of radius R a half-disk of radius s has the mean normal of the point 4s/3π from its
+/// straight side.
 TEST(FeatureStrength, OnASphereIsWhatTheRadiusSays)
 {
 	const double support = 0.15;
@@ -117,7 +117,7 @@ TEST(FeatureStrength, OnASphereIsWhatTheRadiusSays)
 		ASSERT_NEAR(f.features.edgeStrength[h], expected, 0.08 * expected);
 }
 
-/// Corners of the caller's mesh, found back through the facade.
+/// The features of a mesh by the facade.
 FeatureResult detected(const TriangleMesh& mesh, FeatureThresholds thresholds = FeatureThresholds())
 {
 	RemeshOptions options;
@@ -206,7 +206,7 @@ class Noise : public ::testing::TestWithParam<std::uint32_t> {};
 TEST_P(Noise, OfAScanIsNoFeature)
 {
 	Random       random(GetParam());
-	const double edge = 0.07; // mean of the sphere of that level
+	const double edge = 0.07; // mean edge of this sphere
 	const Found  f(noisySphere(4, edge / 8, random));
 	const float  largest =
 		*std::max_element(f.features.edgeStrength.begin(), f.features.edgeStrength.end());
@@ -252,7 +252,7 @@ TEST(FeatureThresholds, ShortLinesAreDropped)
 	EXPECT_EQ(detected(mesh, longOnes).figures.lineNum, 1);
 }
 
-/// The fold fades from 60° to nothing: the line goes on to where it is weak.
+/// The fold fades from 60° to nothing: the line goes on to weak edges.
 TEST(FeatureThresholds, HysteresisFollowsAFadingFold)
 {
 	const int    n    = 40;

@@ -21,7 +21,7 @@ protected:
 	TriangleMesh              mesh = grid(10, 10);
 	std::vector<std::uint8_t> marks;
 
-	/// Marks the vertices that fulfil a condition on x and y.
+	/// Marks the vertices for which a condition on x and y holds.
 	template <class Condition>
 	void mark(const Condition& condition)
 	{
@@ -29,7 +29,7 @@ protected:
 		for (const Vec3d& p : mesh.positions)
 			marks.push_back(condition(p.x, p.y));
 	}
-	/// The surface with every edge cut to at most that length.
+	/// The surface after splits of all edges longer than `longest`.
 	Surface splitSurface(double longest)
 	{
 		IndexedMesh indexed = loaded(mesh, workers);
@@ -63,7 +63,7 @@ TEST_F(FeatureRegionTest, MarkedVerticesAreTheCallers)
 	EXPECT_EQ(callersVertices(mesh.view(), in, flat, workers).size(), 5u * 11u);
 }
 
-/// Vertices made by splits between marked ones belong to the region, but are not the caller's.
+/// Vertices made by splits between marked vertices belong to the region, but are no input vertices.
 TEST_F(FeatureRegionTest, SplitsBetweenMarkedVerticesBelongToIt)
 {
 	mark([](double x, double) { return x > 0.55; });

@@ -43,7 +43,7 @@ TEST(FineSpots, HaveALeastFactorAndMayBeNone)
 		EXPECT_EQ(f, 1);
 }
 
-/// A bump in a plane: its triangles, and none that is nearer than the limit.
+/// A bump in a plane: the places are in triangles of the bump, none nearer than the limit.
 TEST(PlacesBeyond, AreTheTrianglesThatAreTooFar)
 {
 	TriangleMesh bump = grid(30, 30);
@@ -82,7 +82,7 @@ TEST(PlacesBeyond, AreOnlyThoseInTheRegions)
 		EXPECT_LT(p.position.x, 0.5);
 }
 
-/// A large triangle over a thin peak that none of its corners, middles of edges and middle meets.
+/// A large triangle over a thin peak, which lies between the corners and middles of the triangle.
 TEST(PlacesBeyond, AreFoundBetweenThePointsThatAreLookedAtFirst)
 {
 	TriangleMesh peak = grid(60, 60);

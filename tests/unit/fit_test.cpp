@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The fit to the input and what it stands on: the closest-face map, self-intersections, small
-// symmetric matrices.
-// Results are coarse meshes laid on fine ones.
+// The fit to the input and its parts: the closest-face map, self-intersections, small symmetric
+// matrices. Results are coarse meshes laid on fine meshes.
 
 #include <tests/support/laid.h>
 #include <tests/support/mesh_audit.h>
@@ -126,7 +125,7 @@ TEST(IntersectingFaces, AreFoundBeyondASharedVertex)
 
 namespace {
 
-/// The face that each vertex of the input belongs to; -1: none.
+/// The face of each assigned vertex of the input; -1: none.
 std::vector<int> facesOf(const ClosestFaceMap& map, const Laid& laid)
 {
 	std::vector<int> face(laid.surface.mesh.vertexNum, -1);
@@ -137,7 +136,7 @@ std::vector<int> facesOf(const ClosestFaceMap& map, const Laid& laid)
 	return face;
 }
 
-/// Vertices of the input that are nearer to another face than to their own.
+/// The number of vertices of the input that are nearer to another face than to their face.
 int numNotNearest(const ClosestFaceMap& map, const Laid& laid)
 {
 	const HalfEdgeMesh&    m = laid.result.mesh;
@@ -165,7 +164,7 @@ TEST(ClosestFaceMap, HoldTheVerticesNearestToTheirFace)
 	EXPECT_LE(numNotNearest(map, laid), laid.surface.mesh.vertexNum / 200);
 }
 
-/// What stays over its face, and what goes to another one, after vertices have moved.
+/// After moves of vertices, some assigned points stay at their face, and some go to another face.
 TEST(ClosestFaceMap, FollowTheFacesThatMove)
 {
 	Random         random(7);
@@ -273,9 +272,9 @@ TEST(DistanceTerm, HasTheDerivativesOfTheSquaredDistances)
 
 // ---- the fit
 
-/// A triangle of edge h inscribed in a sphere of radius R has the least squared distance from it
-/// after a move outwards by h²/8R: its height below the sphere is (h²/3 - s²)/2R at a distance of s
-/// from its centre, and the mean of s² over it is h²/12.
+/// For a triangle of edge h inscribed in a sphere of radius R, a move outwards by h²/8R gives the
+/// least squared distance: at a distance of s from the centre, the triangle is (h²/3 - s²)/2R below
+/// the sphere, and the mean of s² is h²/12.
 TEST(Fit, MovesAnInscribedMeshOutByAnEighthOfItsSquaredEdge)
 {
 	Laid   laid(icosphere(6), icosphere(3));
@@ -291,7 +290,7 @@ TEST(Fit, MovesAnInscribedMeshOutByAnEighthOfItsSquaredEdge)
 	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
 		mean += length(laid.at(v)) / laid.result.mesh.vertexNum;
 	EXPECT_NEAR((mean - 1) / (squaredEdge / 8), 1, 0.1);
-	// Mean of the squared height over what is left of it: √5 of theory.
+	// Mean squared height before over mean squared height after: √5 in theory.
 	EXPECT_LT(laid.rms(), rmsBefore / 2);
 }
 
@@ -305,7 +304,7 @@ TEST(Fit, StaysInAPlane)
 	EXPECT_TRUE(isSoundSurface(meshOf(laid.result.mesh)));
 }
 
-/// A trough upside down under a flat sheet that is nearer than the fit would go.
+/// A trough upside down under a flat sheet, with a gap smaller than the move of the fit.
 TEST(Fit, DoesNotCrossAnotherSheet)
 {
 	const double       gap  = 0.002;
@@ -342,7 +341,8 @@ TEST(Fit, LowersNoAngleBelowTheBound)
 	}
 }
 
-/// Where the surface is rougher than the triangles, they would come to look away from it.
+/// On a surface rougher than the triangles, the fit alone would turn triangles away from the
+/// surface.
 TEST(Fit, LetsNoFaceLookAwayFromTheSurface)
 {
 	int away = 0;
@@ -404,7 +404,7 @@ TEST(Fit, LeavesSurfacePointsOnTheSurfaceBelowTheVertices)
 
 // ---- the largest distances
 
-/// A sphere pressed flat, so that its equator is a sharp rim, tilted against the mesh.
+/// A sphere pressed flat and tilted against the mesh: its equator is a sharp rim.
 TriangleMesh lens(int level)
 {
 	TriangleMesh mesh = rotated(icosphere(level), {1, 0.4, 0.2}, 0.5);
@@ -413,8 +413,8 @@ TriangleMesh lens(int level)
 	return mesh;
 }
 
-/// The coarse mesh has no edges along the rim: the least mean of squares cuts it off here and
-/// stands out from it there.
+/// The coarse mesh has no edges along the rim: with the least mean of squares, faces cut off some
+/// parts of the rim and stand out elsewhere.
 TEST(WorstDistances, ShrinkAtARimAtLittleCost)
 {
 	const TriangleMesh fine = lens(6), coarse = lens(3);
@@ -430,8 +430,8 @@ TEST(WorstDistances, ShrinkAtARimAtLittleCost)
 	EXPECT_TRUE(isSoundSurface(meshOf(worst.result.mesh)));
 }
 
-/// Two squares side by side with a slit between, and two triangles over both: what is nearest to a
-/// point beyond the slit is found from a corner beyond it.
+/// Two squares side by side with a slit between, and two triangles over both squares: the nearest
+/// point for a point beyond the slit is found from a corner beyond the slit.
 TEST(SurfaceGaps, AreNoWiderThanASlit)
 {
 	constexpr double     slit = 0.05;
@@ -448,7 +448,7 @@ TEST(SurfaceGaps, AreNoWiderThanASlit)
 	}
 }
 
-/// A vertex pushed out of a sphere comes back; no other goes farther than it helps that.
+/// A vertex pushed out of a sphere comes back.
 TEST(WorstDistances, BringASpikeBack)
 {
 	Laid laid(icosphere(6), icosphere(3));
@@ -464,7 +464,7 @@ TEST(WorstDistances, BringASpikeBack)
 	EXPECT_LT(laid.farthest(), 0.4f * before);
 }
 
-/// What one triangle gains others must not lose.
+/// Gains of a triangle must not cost other triangles.
 TEST(WorstDistances, NeverGrow)
 {
 	for (unsigned seed : {20u, 23u, 31u}) {
@@ -489,7 +489,8 @@ TEST(WorstDistances, LeaveAloneWhatIsNear)
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
-/// Flat faces that meet at sharp edges, the result's own edges among them: all is on the surface.
+/// Planes with common crease edges, which are also edges of the result: the result lies on the
+/// surface.
 TEST(WorstDistances, LeaveAPrismAlone)
 {
 	Laid laid(lPrism(24), lPrism(4));
@@ -530,7 +531,7 @@ TEST(Fit, DoesNotDependOnTheThreads)
 
 namespace {
 
-/// A roof with a ridge of 90° along y, and a jittered mesh on it that does not keep to the ridge.
+/// A roof with a ridge of 90° along y, and a jittered mesh without edges along the ridge.
 Laid jitteredOnRoof(int threads = 2)
 {
 	const auto roof = [](TriangleMesh mesh) {
@@ -656,7 +657,7 @@ TEST(LargeAngles, LowersMostOfThemAndNoSmallOneFallsFurther)
 	EXPECT_TRUE(findTouchingFaces(laid.result.mesh, laid.workers).empty());
 }
 
-/// Every fourth vertex of the side y = 0 of a square lies close to the next one.
+/// Every fourth vertex of the side y = 0 of a square lies close to the next vertex.
 OnSurface crowdedBorder()
 {
 	constexpr int n    = 16;
@@ -695,7 +696,7 @@ TEST(SmallAngles, LeavesPinnedVerticesOfTheBorder)
 TEST(SlideKeepsSpacing, UnlessVerticesWereCrowdedBefore)
 {
 	OnSurface on = crowdedBorder();
-	int       v  = 0; // between two others a step away
+	int       v  = 0; // between two vertices a step away
 	for (; v < on.m().vertexNum; ++v) {
 		const Vec3d p = on.surface.frame.toCaller(on.m().position[v]);
 		if (p.y == 0 && std::abs(p.x - 2.0 / 16) < 1e-6) break;

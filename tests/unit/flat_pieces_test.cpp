@@ -149,14 +149,14 @@ TEST_F(FlatPieces, ANarrowStripIsASurface)
 	EXPECT_EQ(r.status, Status::Ok) << r.message;
 }
 
-/// No face of it is wider than the thinnest that counts, but together they are a surface.
+/// Each face is thinner than the least width, but together the faces are a surface.
 TEST_F(FlatPieces, NeedlesThatCoverASurfaceStay)
 {
 	const TriangleMesh needles = grid(1, 2000, 1, 1e-3);
 	EXPECT_TRUE(allFacesThin(loaded(needles, workers), workers));
 	EXPECT_LT(flatFaces(needles).size(), 20u) << "each borders on the next that is gone";
 	EXPECT_FALSE(allFacesThin(loaded(joined(needles, square()), workers), workers));
-	RemeshOptions options; // few, as wide triangles as that
+	RemeshOptions options; // few triangles, as wide as the strip
 	options.targetPercent = 0.3;
 	const RemeshResult r  = remesh(needles.view(), options);
 	EXPECT_EQ(r.status, Status::Ok) << r.message;

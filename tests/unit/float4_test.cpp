@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Four floats at once have the bits of four floats one by one. Built twice: with the compiler's
-// vectors, and without (GPR_SCALAR_LANES).
+// Operations on four floats have the bits of operations on each float. Built twice: with the
+// compiler's vectors, and without (GPR_SCALAR_LANES).
 
 #include <vcg_extras/core/base/float4.h>
 

@@ -26,7 +26,7 @@ protected:
 	{
 		return surface.mesh.position[surface.mesh.origin[3 * face + k]];
 	}
-	/// A sample at those weights of a face's corners.
+	/// Adds a sample by the weights of a face's corners.
 	void add(int face, float a, float b, float c)
 	{
 		const Vec3f p = corner(face, 0) * a + corner(face, 1) * b + corner(face, 2) * c;
@@ -51,7 +51,7 @@ protected:
 	}
 
 private:
-	/// Every face lies in the face of the surface that it names.
+	/// Every face lies in its parent face.
 	void expectParents(const FusedMesh& fused)
 	{
 		for (int f = 0; f < fused.mesh.faceNum; ++f) {
@@ -120,7 +120,7 @@ TEST_F(FuseSamples, OnBorderEdgesSplitOneFace)
 		EXPECT_TRUE(fused.mesh.isBorderVertex(v));
 }
 
-/// The second of two samples in one place has no vertex of its own.
+/// Of two samples at one place, the second sample has no vertex.
 TEST_F(FuseSamples, InOnePlaceShareNoVertex)
 {
 	begin(icosphere(1));
@@ -158,7 +158,7 @@ TEST_F(FuseSamples, ManyToAFaceAllBecomeVertices)
 	EXPECT_GE(fused.mesh.vertexNum, 600);
 }
 
-/// Border samples split the border in their order; others do not come on it.
+/// Border samples split the border in their order; other samples on the border get no vertex.
 TEST_F(FuseSamples, OfTheBorderBecomeItsVerticesAlone)
 {
 	begin(openCylinder(24, 6, 1, 1));

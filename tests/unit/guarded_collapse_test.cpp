@@ -17,7 +17,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Vertex 0 inside a ring of others, counter-clockwise seen from above.
+/// Vertex 0 inside a ring of vertices, counter-clockwise seen from above.
 TriangleMesh fanOf(const std::vector<Vec3d>& hubAndRing)
 {
 	TriangleMesh fan;
@@ -28,15 +28,13 @@ TriangleMesh fanOf(const std::vector<Vec3d>& hubAndRing)
 	return fan;
 }
 
-/// With a sphere far away, which makes the vertices so many that no bound is dropped for there
-/// being few.
+/// The mesh and a sphere far away, which adds vertices: with few vertices some bounds are dropped.
 TriangleMesh among(const TriangleMesh& mesh)
 {
 	return joined(mesh, shifted(icosphere(2), {1000, 0, 0}));
 }
 
-/// A fan. Only its hub is not fixed, and only the edge to vertex 1 may be collapsed, if others are
-/// longer.
+/// A fan. Only its hub is not fixed, and only the edge to vertex 1 is short enough for a collapse.
 class Fan {
 public:
 	GuardedMesh     guarded;
@@ -54,7 +52,7 @@ public:
 		settings.longestEdge = 1.01 * length(mesh.positions[1] - mesh.positions[0]);
 	}
 
-	/// What all vertices stand for looks that way, per vertex.
+	/// Sets the mean normal of the assigned points of all vertices, and the area for each vertex.
 	void setNormals(const Vec3f& normal, float area)
 	{
 		guarded.normal.assign(guarded.normal.size(), normal);
@@ -81,9 +79,9 @@ std::vector<Vec3d> lowTriangle(double height, double above)
 	return {{0, 0, above}, {-1, 0, 0}, {1, 0, 0}, {0, height, 0}};
 }
 
-/// The two faces that stay turn by 15 degrees by the collapse to vertex 1.
+/// The collapse to vertex 1 turns the two remaining faces by 15 degrees.
 const std::vector<Vec3d> slope = {{0, 0, 0}, {-2, 0, 0}, {0, -3, 0}, {2, 0, 1}, {0, 3, 0}};
-/// A direction 77 degrees away from the normal of the first of them, and 92 afterwards.
+/// A direction at 77 degrees to the normal of the first remaining face, 92 after the collapse.
 const Vec3f between(-0.806f, 0.585f, -0.145f);
 
 } // namespace
@@ -155,7 +153,7 @@ TEST(GuardedCollapse, LeavesLongerEdges)
 	EXPECT_TRUE(fan.collapses());
 }
 
-/// Planes that leave all places as good as each other would draw the merged vertex to the middle.
+/// Planes without a preferred place would draw the merged vertex to the middle.
 TEST(GuardedCollapse, LeavesABorderVertexWhereItIs)
 {
 	Fan fan({{0, 0, 0}, {0.5, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}});
@@ -194,7 +192,7 @@ struct TwoFans {
 		settings.targetNum                             = guarded.mesh.vertexNum - 1;
 	}
 
-	/// Whether the first hub is left, and so the second one gone.
+	/// Whether the first hub is left and the second hub gone.
 	bool leavesFirst()
 	{
 		Workers workers(1, nullptr);
@@ -234,8 +232,8 @@ TEST(GuardedCollapse, TakesWhatStaysNearFirst)
 
 namespace {
 
-/// Two triangles with a notch between them in their border: the vertex at its bottom is not fixed.
-/// An upright triangle may stand in the notch, and a flat fan far away has a hub that may go, too.
+/// Two triangles with a notch between in their border: the vertex at the bottom of the notch is not
+/// fixed. An upright triangle may fill the notch; the hub of a flat fan far away may go, too.
 struct Notch {
 	GuardedMesh     guarded;
 	GuardedSettings settings;
@@ -274,8 +272,7 @@ private:
 
 } // namespace
 
-/// The other vertices of a border that is kept count as gone, and go at last even where faces touch
-/// then.
+/// The other vertices of a kept border count as gone, and go in the end, even if faces touch then.
 TEST(GuardedCollapse, LeavesOnlyFixedVerticesOfAKeptBorder)
 {
 	Workers workers(1, nullptr);
@@ -292,7 +289,7 @@ TEST(GuardedCollapse, LeavesOnlyFixedVerticesOfAKeptBorder)
 	EXPECT_FALSE(notch.isThere(notch.hub));
 }
 
-/// The edge between them lies inside.
+/// The edge between both border vertices lies inside.
 TEST(GuardedCollapse, DoesNotMergeBordersAcrossANeck)
 {
 	const TriangleMesh neck{
@@ -359,7 +356,7 @@ TEST(Quadric, IsLowestWherePlanesMeet)
 	EXPECT_NEAR(length(q.lowest({}) - (corner + Vec3d(0.5, 0.5, 0.5))), 0, 1e-9);
 }
 
-/// Rounding leaves a determinant that is not quite zero.
+/// Rounding leaves a determinant a little off zero.
 TEST(Quadric, TakesTheOtherPlaceWhereItsPlanesLeaveAChoice)
 {
 	Random      random(1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Guarded edge collapses, and the relaxation after them: no faces touch that did not.
+// Guarded edge collapses, and the relaxation afterwards: no new contacts.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -137,8 +137,9 @@ TEST(GuardedDecimation, StopsWhereNothingMoreIsAllowed)
 	EXPECT_TRUE(hasSameTopology(mesh, meshOf(g.mesh)));
 }
 
-/// Faces whose corners lie in a line, as CAD programs leave them where an edge was split from one
-/// side alone. They are long, and cost more than all that is on a ball of small triangles.
+/// Degenerate faces, as in CAD files after a split of an edge in only one of its faces. Such faces
+/// are long, and collapses of their edges cost more than all collapses on a ball of small
+/// triangles.
 TEST(GuardedDecimation, FacesWithoutAreaGoFirst)
 {
 	Workers      workers(2, nullptr);

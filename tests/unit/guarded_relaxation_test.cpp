@@ -19,7 +19,7 @@ namespace {
 /// The largest distances allowed are a tenth of this.
 constexpr double wideEdge = 100;
 
-/// Two triangles with the edge from a to b in common, and c and d beside it.
+/// Two triangles with the common edge from a to b, and c and d at the sides.
 GuardedMesh quad(const std::array<Vec3d, 4>& at)
 {
 	return GuardedMesh(halfEdgesOf({{at[0], at[1], at[2], at[3]}, {0, 1, 2, 1, 0, 3}}), false);
@@ -33,7 +33,7 @@ bool flips(GuardedMesh g, double idealEdge = wideEdge)
 	return g.mesh.findHalfEdge(2, 3) >= 0 || g.mesh.findHalfEdge(3, 2) >= 0;
 }
 
-/// A ridge from a to b that is four units long, with slopes that go so far down on both sides.
+/// A ridge from a to b, four units long, with slopes down by `depth` on both sides.
 std::array<Vec3d, 4> ridge(double depth, double a = -2, double b = 2)
 {
 	return {{{a, 0, 0}, {b, 0, 0}, {0, 1, -depth}, {0, -1, -depth}}};
@@ -83,7 +83,7 @@ TEST(GuardedFlip, LeavesSharpEdgesWhereTheyWouldStaySharp)
 	EXPECT_FALSE(flips(quad(ridge(0.85)))) << "81 degrees would be 46";
 }
 
-/// The normal of a needle says nothing, so that its edges are not sharp.
+/// The normal of a needle has no meaning, so edges of needles are not sharp.
 TEST(GuardedFlip, DoesNotTakeEdgesOfNeedlesForSharp)
 {
 	EXPECT_TRUE(flips(quad(needle({-0.85, 1, 0.5})))) << "the new edge has 44 degrees";
@@ -108,7 +108,7 @@ TEST(GuardedFlip, LeavesFixedFaces)
 	EXPECT_TRUE(flips(std::move(other)));
 }
 
-/// The point lies a little below a face, and would be farther below the others.
+/// The point lies a little below a face, and farther below the faces after a flip.
 TEST(GuardedFlip, LeavesPointsAsNear)
 {
 	const std::array<Vec3d, 4> shallow = ridge(0.05);
@@ -120,7 +120,7 @@ TEST(GuardedFlip, LeavesPointsAsNear)
 
 namespace {
 
-/// A vertex inside a ring of fixed ones, whose slide first leads to a place.
+/// A vertex inside a ring of fixed vertices; the first slide leads to `goal`.
 class Hub {
 public:
 	GuardedMesh guarded;
@@ -135,7 +135,7 @@ public:
 		guarded.quadric[0].addPoint(goal + (goal - barycentre()) * 0.3, 1);
 	}
 
-	/// Normals that say nothing.
+	/// Sets normals without meaning.
 	void forgetNormals() { guarded.normal.assign(guarded.normal.size(), Vec3f()); }
 
 	bool moves(double idealEdge = wideEdge)
@@ -178,7 +178,7 @@ std::vector<Vec3d> aboveASide(double height)
 	return {{0, 0, height}, {0, 1, 0}, {-2, 1, 0}, {-2, -1, 0}, {0, -1, 0}};
 }
 
-/// That side's face first looks to this side; with a foot a little inside it turns upwards.
+/// The normal of this side's face before; with a foot a little inside, the face turns upwards.
 const Vec3f sideways(1, 0, 0);
 
 } // namespace
@@ -195,7 +195,7 @@ TEST(GuardedSlide, MakesShapesBetter)
 	EXPECT_FALSE(Hub(hexagon({0, 0, 0}), {0.2, 0, 0}).moves()) << "all are equilateral";
 }
 
-/// Where it stands for no point, planes alone hold it.
+/// Without assigned points, only the planes hold the vertex.
 TEST(GuardedSlide, StaysNearThePlanes)
 {
 	const std::vector<Vec3d> bowl = {{1, 0, 0}, {5, 5, 2}, {-5, 5, 2}, {-5, -5, 2}, {5, -5, 2}};
@@ -220,7 +220,7 @@ TEST(GuardedSlide, IsRefusedWhereAFaceTurns)
 
 TEST(GuardedSlide, IsRefusedWhereAFaceTurnsAgainstWhatItStandsFor)
 {
-	// Each step turns the side's face by 10 to 35 degrees; it stands for what looks 72 degrees
+	// Each step turns the side's face by 10 to 35 degrees; the assigned points look 72 degrees
 	// away.
 	const Vec3f wanted(0.309f, 0, -0.951f);
 	for (const bool isAgainst : {false, true}) {

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// A fan of n triangles round vertex 0, over a whole turn or over `angle` of it; the rim's points
-/// lie at height z.
+/// A fan of n triangles round vertex 0 over a whole turn or over `angle`; the points of the rim lie
+/// at height z.
 TriangleMesh fan(int n, double angle, double z)
 {
 	const bool   isClosed = angle >= 2 * pi;
@@ -55,7 +55,7 @@ TEST_P(Fans, OfAConeAreFlattenedToARegularPolygon)
 	EXPECT_NEAR(normal.z, 1, 1e-6);
 }
 
-/// At a border the fan's angle, whatever it is, becomes 180°.
+/// At a border, a fan of any angle becomes 180° wide.
 TEST_P(Fans, AtABorderAreFlattenedToAHalfDisk)
 {
 	const int n = GetParam();
@@ -103,7 +103,7 @@ TEST_P(Fans, LoseABorderVertex)
 INSTANTIATE_TEST_SUITE_P(Valence, Fans, ::testing::Range(3, 13));
 
 ///        2               Corner 3 is so near the centre 0 that the edge 2 - 4 would cut through
-///      / | \             the dent: the hole must be closed by 1 - 3.
+///      / | \             the dent: only the edge 1 - 3 can close the hole.
 ///     /  0  \            (1 below, 3 above the centre)
 TEST(HoleRetriangulation, ClosesADentedRing)
 {
@@ -117,8 +117,8 @@ TEST(HoleRetriangulation, ClosesADentedRing)
 	EXPECT_NEAR(factsOf(meshOf(m)).area, factsOf(mesh).area, 1e-6);
 }
 
-/// The four corners under a pyramid's tip are on a circle but for one that is a little lower: the
-/// diagonal is the one the empty circle asks for.
+/// Three corners under a pyramid's tip lie on a circle, the fourth a little inside or outside: the
+/// empty circle decides the diagonal.
 TEST(HoleRetriangulation, ClosesAHoleByTheDelaunayDiagonal)
 {
 	for (const double shift : {-0.05, 0.05}) {
@@ -128,7 +128,7 @@ TEST(HoleRetriangulation, ClosesAHoleByTheDelaunayDiagonal)
 		HalfEdgeMesh       m = halfEdgesOf(mesh);
 		HoleRetriangulator remover(m);
 		ASSERT_TRUE(remover.remove(0, {0.9f, HUGE_VALF}));
-		// Moved inwards, 4 lies in the circle of 1, 2, 3: it is joined to 2.
+		// Moved inwards, 4 lies in the circle of 1, 2, 3: the edge 2 - 4 appears.
 		EXPECT_EQ(m.areNeighbours(2, 4), shift > 0) << shift;
 		EXPECT_EQ(m.areNeighbours(1, 3), shift < 0) << shift;
 	}
@@ -153,7 +153,7 @@ TEST(HoleRetriangulation, RefusesLongEdgesAndFolds)
 	EXPECT_TRUE(isSoundTable(folded));
 }
 
-/// The Delaunay diagonal is an edge already, below: the other one has to do.
+/// The Delaunay diagonal is an edge already, below: the other diagonal is taken.
 TEST(HoleRetriangulation, TakesAnotherDiagonalWhereTheBestIsThereAlready)
 {
 	const TriangleMesh tent{{{1, 0, 0}, {0, 1.2, 0}, {-1, 0, 0}, {0, -1.2, 0}, {0, 0, 1}},
@@ -180,7 +180,7 @@ TEST(HoleRetriangulation, RefusesRingsWithTooManyPlaces)
 	EXPECT_TRUE(other.remove(0, {-2.0f, HUGE_VALF}));
 }
 
-/// Vertices in one place, faces without area: nothing breaks, whether they go or not.
+/// Vertices at one place, degenerate faces: removals do no damage.
 TEST(HoleRetriangulation, SurvivesStarsWithoutAngle)
 {
 	TriangleMesh mesh = icosphere(1);

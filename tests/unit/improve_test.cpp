@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The stages that change edges of a result: flips, count, inverted faces, small angles. Each starts
-// from a result whose vertices are those of the surface itself.
+// from a result with the vertices of the surface.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -83,7 +83,7 @@ TEST(FlipToDelaunayKeeps, FacesFromTurningOver)
 	EXPECT_GT(flips, 500);
 }
 
-/// The fold of a bent sheet is an edge of the surface: flipping over it would cut the corner off.
+/// The fold of a bent sheet is an edge of the surface: a flip would cut the corner off.
 TEST(FlipToDelaunayKeeps, ASharpFold)
 {
 	OnSurface on(bentSheet(12, 1.8));
@@ -136,7 +136,7 @@ TEST(ReachExactCountKeeps, TheCornersOfASquare)
 			  4);
 }
 
-/// Passes are the paper's number: none, some, and as many as it takes lead to the same end.
+/// The number of passes is an option of the paper: none, some, and as many as needed.
 TEST(FlipToDelaunay, StopsAfterSoManyPasses)
 {
 	const auto scrambled = [](OnSurface& on) {
@@ -189,7 +189,8 @@ int wrongFaces(OnSurface& on)
 	return wrong;
 }
 
-/// Pulls inner vertices over the far side of their ring, so that faces fold back; how many do.
+/// Pulls inner vertices over the far side of their ring to fold faces back; returns the number of
+/// such faces.
 int fold(OnSurface& on, int every)
 {
 	const float far = 1.4f * on.result.idealEdge, aside = 0.3f * on.result.idealEdge;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Pairs of a result that are the input's own.
+// Contacts of a result that the input has, too.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
@@ -15,7 +15,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Two spheres round (x, 0, 0), so far apart.
+/// Two spheres round (x, 0, 0), `apart` from each other.
 TriangleMesh spheres(int level, double x, double apart)
 {
 	return joined(shifted(icosphere(level), {x - apart / 2, 0.01, 0.02}),
@@ -64,7 +64,7 @@ TEST(InputContacts, FarFromThePairsAreNotCounted)
 	EXPECT_EQ(InputContacts(input, result, pairs, 0.1f, workers).pairNum(), 0);
 }
 
-/// Two triangles that cross each other, from x on to one unit farther.
+/// Two triangles that cut each other, a unit long from x on.
 static TriangleMesh crossing(double x)
 {
 	return {{{x, 0, 0},
@@ -90,7 +90,7 @@ TEST(InputContacts, CountUpToADistanceFromThePairs)
 	}
 }
 
-/// Where the input was cut, both sides have vertices of their own at one place.
+/// Along cuts of the input, both sides have separate vertices at the same places.
 TEST(InputContacts, AreFoundAlongCuts)
 {
 	Workers            workers(1, nullptr);

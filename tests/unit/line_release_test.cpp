@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Feature lines that are too close to each other for good angles are released, where many angles
-// are poor, and nowhere else.
+// Feature lines too close to each other for good angles are released if many angles are poor.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -25,7 +24,7 @@ namespace {
 constexpr int   cells    = 20;
 constexpr float angleDeg = 32;
 
-/// A flat square of squares. So many columns in the middle are a quarter as wide as the others.
+/// A flat square of squares; narrowNum columns in the middle have a quarter of the width.
 TriangleMesh gridWithNarrowColumns(int narrowNum)
 {
 	TriangleMesh mesh  = grid(cells, cells);
@@ -54,7 +53,7 @@ struct Stripes : OnSurface {
 	}
 };
 
-/// Vertices inside that are on a curve.
+/// Inner vertices on a curve.
 std::vector<int> onLines(const OnSurface& on)
 {
 	std::vector<int> vertices;
@@ -111,7 +110,8 @@ TEST(ReleaseLines, LeavesBordersAlone)
 	}
 }
 
-/// The line through a pinned vertex stays as it is there: without a mark the vertex could walk.
+/// The line through a pinned vertex stays: without a mark on its edges the vertex could move
+/// freely.
 TEST(ReleaseLines, LeavesPinnedVerticesOnTheirLine)
 {
 	Stripes    on(2);
@@ -193,7 +193,7 @@ TriangleMesh pleatedSheet(int foldNum, double width)
 	return mesh;
 }
 
-/// One square with folds nearer to each other than a third of an edge, and one with few.
+/// A square with folds nearer to each other than a third of an edge, and a square with few folds.
 TriangleMesh crowdedAndSparsePleats()
 {
 	return joined(pleatedSheet(5, 0.01), shifted(pleatedSheet(8, 0.125), {2, 0, 0}));
@@ -208,7 +208,7 @@ RemeshResult remeshed(const MeshView& view, int threads = 2)
 	return remesh(view, options);
 }
 
-/// The line is one edge at a corner of the mesh, far from all folds.
+/// A single line edge at a corner of the mesh, far from all folds.
 std::vector<std::uint8_t> oneLine(const TriangleMesh& mesh)
 {
 	std::vector<std::uint8_t> line(mesh.triangles.size(), 0);
@@ -232,7 +232,7 @@ TEST(CrowdedLines, AreReleasedSoThatNoAngleIsPoor)
 	EXPECT_NE(r.notes.back().find("feature lines are too close"), std::string::npos);
 }
 
-/// Without a release a tenth of the faces has poor angles. So this also shows what it is good for.
+/// Without a release a tenth of the faces has poor angles, which also shows the use of a release.
 TEST(CrowdedLines, StayWhereTheCallerGaveLines)
 {
 	const TriangleMesh              mesh = crowdedAndSparsePleats();
@@ -245,8 +245,8 @@ TEST(CrowdedLines, StayWhereTheCallerGaveLines)
 	EXPECT_GT(r.report.quality.below30Percent, 5);
 }
 
-/// The folds that are far from each other stay sharp from border to border, up to a fifth of an
-/// edge: some poor faces lie there, too, before the fit.
+/// Folds far from each other stay sharp from border to border, up to a fifth of an edge, although
+/// some faces at these folds are poor before the fit.
 TEST(CrowdedLines, LeaveTheOthersSharp)
 {
 	const TriangleMesh       mesh = crowdedAndSparsePleats();

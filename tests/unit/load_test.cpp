@@ -91,7 +91,7 @@ TEST_F(LoadInput, WorkingCoordinatesHaveMagnitudeOne)
 	}
 }
 
-/// A scan of 100 m at UTM coordinates of millions: what float resolves is a tenth of a metre there.
+/// A scan of 100 m at UTM coordinates of millions: there a float resolves a tenth of a metre.
 TEST_F(LoadInput, FarOffsetsAreRemovedWithoutLoss)
 {
 	Random             random(6);
@@ -146,7 +146,7 @@ TEST_F(LoadInput, FacesWithAVertexTwiceAreDropped)
 	EXPECT_EQ(m.faceNum, 18);
 }
 
-/// An outlier in no face must not blow up the box that everything is measured by.
+/// An outlier in no face must not enlarge the box, the unit of all measures.
 TEST_F(LoadInput, UnreferencedVerticesAreDroppedAndDoNotCountForTheFrame)
 {
 	TriangleMesh mesh = grid(3, 3);
@@ -183,7 +183,7 @@ TEST_F(LoadInput, ASoupFarBeyondTheToleranceStaysASoup)
 	EXPECT_EQ(counts.weldedVertices, 0);
 }
 
-/// A mesh that shares vertices is no soup: points at equal places may be meant to be two (a slit).
+/// A mesh with shared vertices is no soup: two vertices at one place may be meant as two (a slit).
 TEST_F(LoadInput, VerticesAtEqualPlacesStayTwoWhereVerticesAreShared)
 {
 	const TriangleMesh mesh = joined(grid(3, 3), shifted(grid(3, 3), {1, 0, 0}));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Vertices that come in where a result is too far from the surface.
+// New vertices at places where a result is too far from the surface.
 
 #include <tests/support/laid.h>
 #include <tests/support/mesh_audit.h>
@@ -23,7 +23,7 @@ namespace {
 constexpr double height = 0.12;
 const Vec3d      tip(0.37, 0.61, 0);
 
-/// A plane with a tent that is narrower than the coarse mesh's cells.
+/// A plane with a tent narrower than the cells of the coarse mesh.
 TriangleMesh tent(int cells)
 {
 	TriangleMesh mesh = grid(cells, cells);
@@ -32,7 +32,7 @@ TriangleMesh tent(int cells)
 	return mesh;
 }
 
-/// Points of both meshes that are farther from the other than a limit, working units.
+/// Points of both meshes farther from the other mesh than a limit, working units.
 std::vector<FarPoint> pointsBeyond(Laid& on, double limit)
 {
 	const MeasuredSurface surface(viewOf(on.surface.mesh), on.workers);
@@ -103,7 +103,7 @@ TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
 
-/// A point beside the border asks for a border edge, or the border would stay as coarse as it is.
+/// A point beside the border splits a border edge, or the border would stay coarse.
 TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
 {
 	OnSurface                   on(grid(8, 8));

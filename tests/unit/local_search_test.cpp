@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Splits and collapses for the last poor angles, and what they stand on: patches that can be taken
-// back, and the count of intersecting pairs round a patch.
+// Splits and collapses for the last poor angles, and their tools: patches that can be restored, and
+// the count of contacts round a patch.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
@@ -25,7 +25,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A square, and beside it a ribbon much narrower than its vertices lie apart.
+/// A square, and a ribbon much narrower than the distance of its vertices.
 OnSurface squareAndRibbon()
 {
 	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
@@ -100,7 +100,7 @@ TEST(RepairPoorFaces, ChangesNoCountWhereTheWantedOneCannotBeReached)
 	on.expectSound();
 }
 
-/// A tetrahedron has good angles, too, and is as near as it gets.
+/// Fewer vertices, down to a tetrahedron, would have better angles.
 TEST(RepairPoorFaces, TakesNoOtherCountHoweverGoodTheAngles)
 {
 	for (const TriangleMesh& mesh :
@@ -113,7 +113,7 @@ TEST(RepairPoorFaces, TakesNoOtherCountHoweverGoodTheAngles)
 	}
 }
 
-/// Vertices that come in at the ribbon must go at a body so small that each is missed.
+/// New vertices at the ribbon need collapses on the body, where each vertex counts.
 TEST(RepairPoorFaces, LowersNoAngleAndInvertsNoFaceForOthers)
 {
 	for (const TriangleMesh& body : {cube(1), torus(5, 3, 0.25, 0.1)}) {
@@ -166,7 +166,7 @@ TEST(RepairPoorFaces, DoesNotDependOnThreads)
 		ribbon, [](OnSurface& on, Workers& workers) { EXPECT_TRUE(repair(on, workers, 0)); });
 }
 
-/// On these few triangles per bump are left at 12° to 20° that no single change repairs.
+/// On these meshes, no single change repairs the last few triangles, of 12° to 20°, at bumps.
 TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 {
 	for (unsigned seed : {4u, 6u, 12u, 23u, 97u}) {
@@ -175,15 +175,15 @@ TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 		RemeshOptions      options;
 		options.targetMode    = TargetMode::Percent;
 		options.targetPercent = 8;
-		options.adapt         = 0; // holds 32°; what the sizes follow here is noise
+		options.adapt         = 0; // 32° without adaptivity; with it sizes would follow the noise
 		const RemeshResult r  = remesh(mesh.view(), options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_GT(r.report.quality.minAngleDeg, 31.5) << seed;
 	}
 }
 
-/// Whether the second of two vertices may go from one height to another, the first being `top`
-/// above the surface.
+/// Whether the second of two vertices may go from height `from` to height `to`, while the first
+/// vertex is `top` above the surface.
 bool mayRise(OnSurface& on, float guarded, float top, float from, float to)
 {
 	constexpr float      enough = 1e-3f;
@@ -215,7 +215,7 @@ TEST(PatchDistance, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
 
 // ---- limits of the search
 
-/// The vertex nearest to a place of the caller's.
+/// The vertex nearest to a place of the input.
 int vertexNear(OnSurface& on, const Vec3d& place)
 {
 	const Vec3f p    = on.surface.frame.toWorking(place);
@@ -227,7 +227,7 @@ int vertexNear(OnSurface& on, const Vec3d& place)
 	return best;
 }
 
-/// Draws one vertex two edges far in a direction; no limit is set.
+/// A goal that draws one vertex two edges far in a direction, without a limit.
 Goal drawnAlong(OnSurface& on, int v, const Vec3f& direction)
 {
 	const HalfEdgeMesh& m     = on.m();
@@ -264,7 +264,7 @@ float leastAgreement(OnSurface& on)
 	return least;
 }
 
-/// Half of a tube of radius 1 whose edges each turn by 30° round it. Its top is at (0, y, 1).
+/// Half of a tube of radius 1 with edges that turn by 30°. Its top is at (0, y, 1).
 TriangleMesh arch()
 {
 	TriangleMesh bent = grid(6, 8, 1, 4);
@@ -291,7 +291,8 @@ TEST(LocalSearch, TiltsNoFaceFartherFromTheSurfaceThanItMay)
 	}
 }
 
-/// Faces inverted after a vertex that is beyond one side of its ring was drawn on beyond another.
+/// The number of inverted faces after a move: a vertex beyond one side of its ring is drawn beyond
+/// another side.
 int invertedAfterDrawing(float minNormalAgreement, int& before)
 {
 	OnSurface     on(grid(8, 8));
@@ -317,8 +318,8 @@ TEST(LocalSearch, InvertsNoMoreFacesWhereSomeAreAlready)
 
 TEST(LocalSearch, MovesNoFaceThroughAnother)
 {
-	// An upright leaf under the top of an arch: where the vertex at the top moves on, the faces
-	// behind it cut through the leaf.
+	// An upright leaf under the top of an arch: moves of the vertex at the top drag faces through
+	// the leaf.
 	TriangleMesh leaf = grid(2, 2, 0.04, 0.45);
 	for (Vec3d& p : leaf.positions)
 		p = {p.x - 0.02, 2, p.y + 0.5};

@@ -46,7 +46,7 @@ TEST(MeasureQuality, AnObtuseTriangleHasItsKnownMeasures)
 
 TEST(MeasureQuality, MeansAndExtremesAreOverAllFaces)
 {
-	// An equilateral triangle and a right-angled one with equal legs: 2r/R = 2(√2 - 1).
+	// An equilateral triangle and a right triangle with equal legs: 2r/R = 2(√2 - 1).
 	const TriangleMesh t{
 		{{0, 0, 0}, {1, 0, 0}, {0.5, std::sqrt(0.75), 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
 		{0, 1, 2, 3, 4, 5}};

@@ -22,7 +22,7 @@ TriangleMesh drawnOut(TriangleMesh mesh, double factor)
 	return mesh;
 }
 
-/// Squat faces, needles, faces of all lengths, and some that are not split at all.
+/// Squat faces, needles, faces of all lengths, and some faces without splits.
 std::vector<TriangleMesh> shapes()
 {
 	Random random(3);
@@ -66,7 +66,7 @@ TEST(MemoryNeed, MoreThanThereIsIsRefusedWithBothFigures)
 	}
 }
 
-/// On any machine, and before anything of that size is allocated.
+/// On any machine, and before the allocation of such a mesh.
 TEST(MemoryNeed, MoreVerticesThanAMeshMayHaveAreRefused)
 {
 	const TriangleMesh mesh = grid(2, 2);

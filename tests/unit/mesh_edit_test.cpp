@@ -15,7 +15,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Shapes play no part here: only what the triangles say.
+/// Whether the triangles alone, without their shapes, form a manifold.
 ::testing::AssertionResult isManifold(const HalfEdgeMesh& m)
 {
 	const SurfaceFacts facts = factsOf(meshOf(m));
@@ -30,7 +30,7 @@ int edgeBetween(const HalfEdgeMesh& m, int a, int b)
 	return h;
 }
 
-/// The patch that joins every place of the ring to one of them.
+/// The patch that joins every place of the ring to the place `from`.
 HolePatch fanPatch(int placeNum, int from)
 {
 	HolePatch patch;
@@ -46,7 +46,7 @@ HolePatch fanPatch(int placeNum, int from)
 	return patch;
 }
 
-/// Whether the vertex may go, any fan closing its hole; if so it goes.
+/// Removes a vertex by a fan, if allowed; returns whether.
 bool removeByFan(HalfEdgeMesh& m, int v, int from, EditScratch& scratch)
 {
 	VertexStar star;
@@ -92,7 +92,7 @@ TEST(MeshEdit, ATetrahedronAllowsNoCollapseAndNoFlip)
 	}
 }
 
-/// A neck of three edges: contracting one of them would close it.
+/// A neck of three edges: the collapse of one edge would close the neck.
 TEST(MeshEdit, TheLinkConditionKeepsANeckOpen)
 {
 	const HalfEdgeMesh m = halfEdgesOf(torus(3, 8));
@@ -176,7 +176,7 @@ TEST(MeshEdit, SplittingAFaceMakesThreeOfIt)
 	}
 }
 
-/// Round the centre of a 2 × 2 grid lie eight places; every fan of them closes the hole.
+/// Round the centre of a 2 × 2 grid lie eight places; every fan of these places closes the hole.
 TEST(MeshEdit, RemovingAVertexClosesItsHoleByThePatch)
 {
 	EditScratch scratch;
@@ -360,7 +360,7 @@ protected:
 			count(true, [&] {
 				const Vec3f centre = m.faceCentre(h / 3);
 				const int   v      = addVertex(h);
-				if (m.mirrorAxis >= 0) m.position[v] = centre; // an inner vertex is not on it
+				if (m.mirrorAxis >= 0) m.position[v] = centre; // an inner vertex is off the plane
 				splitFace(m, h / 3, v);
 			});
 			break;
@@ -370,7 +370,7 @@ protected:
 		}
 	}
 
-	/// How many of the three coordinates say that the point is on a face of the unit cube.
+	/// The number of coordinates by which the point is on a face of the unit cube.
 	static int cubeFacesAt(const Vec3f& p)
 	{
 		int n = 0;
@@ -472,7 +472,7 @@ TriangleMesh withImage(const TriangleMesh& half)
 	return both;
 }
 
-/// Whatever is flipped, split and merged in half of a symmetric mesh, it fits to its image.
+/// After flips, splits and collapses in half of a symmetric mesh, the half fits to its image.
 TEST_P(RandomEdits, KeepHalvesThatFitToTheirImages)
 {
 	SCOPED_TRACE("seed " + std::to_string(GetParam()));

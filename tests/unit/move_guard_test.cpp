@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Moves on trial: which faces they spoil, and which moves stand in the end.
+// Moves on trial: the damaged faces, and the moves that are kept.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
@@ -27,13 +27,13 @@ TriangleMesh hexagon()
 	return mesh;
 }
 
-/// Where the middle of the hexagon lies if its faces are tilted by so much.
+/// The middle of the hexagon with faces tilted by this angle.
 Vec3f tilted(double angleDeg)
 {
 	return {0, 0, float(std::sqrt(0.75) * std::tan(angleDeg * pi / 180))};
 }
 
-/// A hexagon whose middle is on the move, and a second one that does not touch it.
+/// A hexagon with a moving middle, and a second hexagon apart.
 struct Trial {
 	Workers      workers{2, nullptr};
 	HalfEdgeMesh mesh;
@@ -59,7 +59,7 @@ struct Trial {
 		return m;
 	}
 
-	/// Where the middle ends that is moved there.
+	/// Moves the middle to a place; returns its place in the end.
 	Vec3f move(const Vec3f& to, const Buffer<Vec3f>& normal = {})
 	{
 		mesh.position[0] = to;

@@ -67,7 +67,7 @@ TEST(NearestOnTriangle, AgreesWithTheOracle)
 		};
 		const Vec3d a = point(), b = point(), p = point() * 2.0;
 		const Vec3d c = point();
-		if (length(cross(b - a, c - a)) < 0.02) continue; // slivers say little in single precision
+		if (length(cross(b - a, c - a)) < 0.02) continue; // needles say little in single precision
 		const Vec3f q = nearestOnTriangle(Vec3f(p), Vec3f(a), Vec3f(b), Vec3f(c));
 		EXPECT_NEAR(length(Vec3d(q) - p), distanceToTriangle(p, a, b, c), 2e-4);
 	}

@@ -45,7 +45,8 @@ TEST_P(CutIntoBlocks, EveryVertexIsInOneBlockAndCellsAreWideEnough)
 	EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
 }
 
-/// What lets cells of a colour be worked on at once: a cell's width between any two of them.
+/// Between two blocks of a colour lies at least a cell's width, so threads may work on both at
+/// once.
 TEST_P(CutIntoBlocks, BlocksOfAColourLieAtLeastACellApart)
 {
 	Random             random(1);

@@ -68,7 +68,7 @@ TEST(Validate, ComplainsOfEveryValueOutOfRangeInASentence)
 	EXPECT_EQ(validate(both).size(), 2u);
 }
 
-/// Only the target that is used is looked at.
+/// Only the target in use is checked.
 TEST(Validate, LeavesTargetsAloneThatAreNotUsed)
 {
 	RemeshOptions o = withCount(5);
@@ -98,13 +98,13 @@ TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
 	EXPECT_EQ(findParameter("Nonsense"), nullptr);
 }
 
-/// What a user really states, and what the paper leaves to the user.
+/// Options that a user really states, and choices that the paper leaves to the user.
 TEST(ParameterTable, HasAtMostThirtyFourRows)
 {
 	EXPECT_LE(makeParameterTable().size(), 34u);
 }
 
-/// How many, how, what is kept, where to: a newcomer needs no more.
+/// The everyday options: how many, how, which lines, where to.
 TEST(ParameterTable, AtMostTwelveParametersComeBeforeThoseForExperts)
 {
 	for (Tool tool : {RemeshTool, SamplingTool}) {
@@ -323,7 +323,7 @@ TEST(FeatureRegionByItself, HasHalfTheRadiusWhereItIsNamedAndNoScaleGiven)
 	EXPECT_EQ(o.featureDiskScale, 0.8);
 }
 
-/// The paper's two ways: every vertex of the region, or disks of the scale that is given.
+/// The paper has two ways: every vertex of the region, or disks of the given scale.
 TEST(FeatureRegionByItself, IsKeptWithThePaperUnlessAScaleIsGiven)
 {
 	RemeshOptions o;
@@ -387,7 +387,7 @@ TEST(ResolveAdapt, ATenthWhereAFitFollows)
 	EXPECT_EQ(resolveAdapt(o, true), 0);
 }
 
-/// A tenth that is given is no other number than the rest.
+/// A given 0.1, the value of 'auto', holds like any other number.
 TEST(ResolveAdapt, WhatWasGivenHolds)
 {
 	for (const double given : {0.0, 0.1, 0.3}) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t page = PagePool::pageBytes;
 
-/// A system that only counts: nobody writes to its memory.
+/// A system that only counts; no test writes to its memory.
 std::size_t    mappedBytes = 0;
 std::uintptr_t nextAddress = page;
 bool           isFull      = false;
@@ -86,7 +86,8 @@ TEST_F(PagePoolTest, TellsThatThereIsNoMemory)
 	EXPECT_NE(pool.take(page), nullptr);
 }
 
-/// Blocks in use never overlap, and there is never more than those in use had at their peak.
+/// Blocks in use never overlap, and the pool never has more pages than the blocks had at their
+/// peak.
 TEST_F(PagePoolTest, NeverHasMoreThanThePeak)
 {
 	struct Used {

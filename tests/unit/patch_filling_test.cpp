@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Patches made anew leave the result's number of vertices, or say that they do not.
+// Patches made anew keep the result's number of vertices, or report that the number has changed.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
@@ -16,8 +16,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A sheet, and a result that has a nest of vertices in one of its triangles. The input has nothing
-/// there that they could be made from.
+/// A sheet, and a result with a nest of vertices in one triangle. The input has no vertices there.
 class NestInSheet {
 public:
 	explicit NestInSheet(int nestNum) : random_(3)

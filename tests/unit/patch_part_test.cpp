@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Parts of a result that are cut out and put back leave it as it was.
+// Parts of a result, cut out and put back, leave the result unchanged.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>

@@ -37,7 +37,7 @@ float heightAt(const HalfEdgeMesh& m, float share)
 	return low + share * (high - low);
 }
 
-/// A surface, and a coarser mesh of it.
+/// A surface and a coarser mesh of the surface.
 class CoarseResult {
 public:
 	/// No vertex lies in the uppermost part of the height, `bare`.
@@ -82,7 +82,7 @@ private:
 	Surface    surface_;
 	ResultMesh result_;
 
-	/// Vertices that are at least so far from each other.
+	/// Vertices at least `spacing` apart.
 	std::vector<int> spacedVertices(float spacing, Random& random) const
 	{
 		std::vector<int> order(std::size_t(surface_.mesh.vertexNum)), chosen;
@@ -139,7 +139,7 @@ void expectWhole(CoarseResult& coarse, const std::vector<char>& marked, const Re
 	}
 }
 
-/// A vertex from whose neighbours the border is not to be seen either.
+/// A vertex whose neighbours are inside, too.
 int vertexInside(const HalfEdgeMesh& m)
 {
 	for (int v = 0; v < m.vertexNum; ++v) {
@@ -210,7 +210,7 @@ TEST(PatchRefill, LeavesTheRestAndTheTopology)
 	}
 }
 
-/// An input that is no finer than the result has its edges split.
+/// The edges of an input no finer than the result are split.
 TEST(PatchRefill, SplitsAnInputThatIsCoarse)
 {
 	Random            random(4);
@@ -253,7 +253,7 @@ TEST(PatchRefill, IsRefusedWhereOtherBordersHaveTheirVertices)
 	EXPECT_FALSE(refillPatches(coarse.surface(), result, {}, marked, coarse.workers, made));
 }
 
-/// Quadrics are of the input: the areas add up to its own there.
+/// The areas of vertices come from the input: their sum is the area of the input.
 TEST(PatchRefill, VerticesStandForTheInput)
 {
 	Random            random(7);
@@ -269,8 +269,8 @@ TEST(PatchRefill, VerticesStandForTheInput)
 	EXPECT_NEAR(area, wanted, 1e-4 * wanted);
 }
 
-/// Three vertices round a patch may lie in a line, and get a triangle of the input: its corners
-/// stay, so that nothing later gives it an area.
+/// Three vertices round a patch may lie in a line and get a triangle of the input: its corners
+/// stay, so the triangle would stay degenerate.
 TEST(PatchRefill, WidensAPatchWithATriangleInALine)
 {
 	Random        random(8);
@@ -290,7 +290,7 @@ TEST(PatchRefill, WidensAPatchWithATriangleInALine)
 		EXPECT_FALSE(squaredLength(filled.faceCross(f)) < 1e-12f) << f;
 }
 
-/// The input can reach far beyond a coarse result. There it is followed; the patch stays small.
+/// The input can reach far beyond a coarse result: the patch follows the input, and stays small.
 TEST(PatchRefill, FollowsTheInputInside)
 {
 	for (const std::uint32_t seed : {1u, 2u, 3u}) {
@@ -312,7 +312,7 @@ TEST(PatchRefill, FollowsTheInputInside)
 	}
 }
 
-/// A tube on the border of a patch would be drawn together to one vertex.
+/// A tube on the border of a patch would be drawn together to a single vertex.
 TEST(PatchRefill, WidensAPatchWhereTheInputReachesFarFromItsBorder)
 {
 	Random              random(1);
@@ -329,7 +329,7 @@ TEST(PatchRefill, WidensAPatchWhereTheInputReachesFarFromItsBorder)
 	EXPECT_NEAR(heightAt(made.guarded->mesh, 1), heightAt(coarse.surface().mesh, 1), 1e-5f);
 }
 
-/// A result with a hole that its input does not have.
+/// A result with a hole that the input does not have.
 TEST(PatchRefill, ClosesNoHole)
 {
 	Random       random(9);
@@ -346,7 +346,7 @@ TEST(PatchRefill, ClosesNoHole)
 
 namespace {
 
-/// A vertex and the rings round it: three of them inside, then the border, then two beyond.
+/// A vertex and the rings round the vertex: three rings inside, then the border, then two beyond.
 std::vector<PatchRole> rolesRound(const HalfEdgeMesh& m, int centre)
 {
 	constexpr PatchRole    ofRing[] = {PatchRole::Inside, PatchRole::Inside, PatchRole::Inside,
@@ -444,8 +444,8 @@ TEST(PatchRefill, MarksGrowByRings)
 
 namespace {
 
-/// Labels on a square grid: what lies left of the middle is inside (0), right of it the border's
-/// cells 1, 2, 3 from below.
+/// Labels on a square grid: 0 (inside) left of the middle; right of the middle the border's cells
+/// 1, 2, 3 from below.
 struct LabelledGrid {
 	static constexpr int n = 24;
 
@@ -512,7 +512,7 @@ TEST(PatchLabels, WhatIsEnclosedByOneCellGoesToIt)
 
 namespace {
 
-/// Cell 2 has an arm round two vertices inside, the lower one of which meets the cell on two sides.
+/// Cell 2 has an arm round two inner vertices; the lower vertex meets the cell on two sides.
 struct Pocket : LabelledGrid {
 	const int upper = near(11.0f / n, 12.0f / n), lower = near(11.0f / n, 11.0f / n);
 
@@ -535,7 +535,7 @@ TEST(PatchLabels, NotchesAreFilled)
 	g.expectCleanedTo(filled);
 }
 
-/// A vertex that meets what lies beyond the border stays: its triangles there are to blame.
+/// A vertex beside a label beyond the border stays: its triangles there cause the notch.
 TEST(PatchLabels, NotchesBesideWhatLiesBeyondStay)
 {
 	Pocket g;
@@ -545,7 +545,7 @@ TEST(PatchLabels, NotchesBesideWhatLiesBeyondStay)
 	EXPECT_EQ(g.label[std::size_t(g.lower)], 0);
 }
 
-/// What lies inside, but at three cells, is enclosed by none.
+/// Inner vertices beside three cells are not enclosed by a cell.
 TEST(PatchLabels, WhatMeetsThreeCellsStays)
 {
 	LabelledGrid g;

@@ -60,8 +60,8 @@ MeshFacts withoutAreas(std::int64_t vertexNum)
 	return {vertexNum, false, true};
 }
 
-/// A run whose steps come to what a test says. A step of which nothing is said comes to what needs
-/// no decision.
+/// A run with steps whose outcomes the test decides. By default the outcome of a step needs no
+/// decision.
 class PlannedRun {
 public:
 	explicit PlannedRun(RemeshOptions options, Purpose purpose = Purpose::Answer) :
@@ -81,7 +81,7 @@ public:
 	std::vector<Step>        steps; ///< in the order in which they were taken
 	std::vector<std::string> told;
 	std::vector<Decisions>   attempts; ///< of every mesh
-	std::optional<Failure>   failure;  ///< that the run ended with
+	std::optional<Failure>   failure;  ///< at the end of the run
 
 	/// Takes steps until the run is done or refused.
 	PlannedRun& go()
@@ -220,7 +220,7 @@ TEST(Plan, SewsSeamsBeforeTheInputIsConnectedAgain)
 	EXPECT_TRUE(run.isTaken());
 }
 
-// Faces that are counted.
+// Counts of faces.
 
 RemeshOptions faces(std::int64_t faceNum)
 {
@@ -386,7 +386,7 @@ TEST(Plan, AcceptsAnyCountWhereNoneIsPromised)
 		<< "among many vertices another count changes nothing";
 }
 
-/// Nothing is promised of the count, but faces without area are withheld by the audit.
+/// Nothing is promised about the count, but the audit withholds degenerate faces.
 TEST(Plan, LooksForAreasWhereNoCountIsPromised)
 {
 	const PlannedRun run = runWith(inexact(8), [](const Decisions& d) {
@@ -424,7 +424,7 @@ TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 	EXPECT_TRUE(run.attempts[1].keepsRaggedBorder);
 	EXPECT_EQ(run.attempts[1].vertexNum, 500);
 	EXPECT_TRUE(run.says("smooth border"));
-	// It is not tried again with another count.
+	// No second trial with another count.
 	const PlannedRun raised = runWith(wish(500), [](const Decisions& d) {
 		return d.keepsRaggedBorder ? reached(600) : MeshFacts{500, false, true, true};
 	});
@@ -443,7 +443,7 @@ TEST(Plan, LeavesSeamsOpenWithWhichTrianglesHaveNoArea)
 	EXPECT_EQ(run.attempts[1].sewing, Sewing::Never);
 	EXPECT_EQ(run.numOf(Step::Input), 2);
 	EXPECT_TRUE(run.says("seams"));
-	// They are not sewn again for another count.
+	// No second sewing for another count.
 	const PlannedRun raised = runWith(wish(500), [&](const Decisions& d) { return facts(d, 600); });
 	EXPECT_EQ(raised.decisions().vertexNum, 600);
 	EXPECT_EQ(raised.attempts.back().sewing, Sewing::Never);
@@ -463,7 +463,7 @@ TEST(Plan, ReachesAMissedCountByTopology)
 TEST(Plan, RefusesWhatTopologyForbidsAndNamesTheSmallest)
 {
 	RemeshOptions options = order(3);
-	options.guard         = false; // the count that is named is not tried
+	options.guard         = false; // no trial of the named count
 	const PlannedRun run  = runWith(options, [](const Decisions&) { return reached(7); });
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->smallestVertexNum, 7);
@@ -595,7 +595,7 @@ TEST(Plan, RefusesACountThatHasContacts)
 
 namespace {
 
-/// Sheets that meet in junctions intersect below a count.
+/// A run whose sheets at junctions intersect below a count.
 PlannedRun runWithSheets(const RemeshOptions& options, std::int64_t least)
 {
 	PlannedRun run(options);
@@ -625,7 +625,7 @@ TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
 	EXPECT_LE(run.attempts.back().vertexNum, 16 * 500);
 }
 
-/// Sheets at one place are kept apart by more and more vertices, which do not help.
+/// Sheets at one place get more and more vertices, which do not help.
 TEST(Plan, RaisesNoCountThatGrewByItself)
 {
 	PlannedRun run(wish(5));
@@ -646,7 +646,7 @@ TEST(Plan, RefusesACountAtWhichSheetsIntersect)
 	EXPECT_TRUE(byFaces.says("faces ("));
 }
 
-// Several meshes for one result.
+// Several meshes for a result.
 
 TEST(Plan, NamesACountThatCanBeHad)
 {
@@ -681,7 +681,7 @@ namespace {
 class ErrorRun {
 public:
 	std::vector<std::int64_t> tried;
-	std::vector<double>       shares; ///< where the progress of each trial begins
+	std::vector<double>       shares; ///< progress at the begin of each trial
 	int                       refinementNum = 0;
 	int                       addedATime    = 0;
 	Plan                      plan;
@@ -831,7 +831,7 @@ TEST(Plan, AlwaysComesToAnEnd)
 	}
 }
 
-/// Steps that would always go back end the run together, not each by a bound of its own.
+/// Steps that would always go back end by a bound of the whole run, not by a bound for each step.
 TEST(Plan, BoundsTheReturnsOfAWholeRun)
 {
 	PlannedRun run(order(500));

@@ -31,7 +31,7 @@ double doubledArea(const std::vector<Vec2d>& polygon)
 	return sum;
 }
 
-/// Positive where d lies within the circle through a, b, c (counter-clockwise).
+/// Positive if d lies within the circle through a, b, c (counter-clockwise).
 double inCircle(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d)
 {
 	const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y;
@@ -50,7 +50,7 @@ std::set<Diagonal> diagonalsOf(const HolePatch& patch)
 	return diagonals;
 }
 
-/// Triangles turned the right way that fill the polygon: none overlap.
+/// Expects triangles of positive area that fill the polygon without overlap.
 void expectFills(const std::vector<Vec2d>& polygon, const HolePatch& patch)
 {
 	ASSERT_EQ(patch.triangleNum(), int(polygon.size()) - 2);
@@ -65,7 +65,7 @@ void expectFills(const std::vector<Vec2d>& polygon, const HolePatch& patch)
 	EXPECT_EQ(diagonalsOf(patch).size(), polygon.size() - 3);
 }
 
-/// No apex beyond a diagonal lies within the circle of the triangle before it.
+/// Expects no apex beyond a diagonal within the circle of the triangle before the diagonal.
 void expectLocallyDelaunay(const std::vector<Vec2d>& polygon, const HolePatch& patch)
 {
 	for (int x = 0; x < int(patch.corner.size()); ++x) {
@@ -85,7 +85,7 @@ std::vector<Vec2d> regular(int n)
 	return polygon;
 }
 
-/// A polygon that is seen whole from the origin.
+/// A polygon whose points are all visible from the origin.
 std::vector<Vec2d> randomStar(int n, double minRadius, Random& random)
 {
 	std::vector<Vec2d> polygon;
@@ -108,7 +108,7 @@ TEST(PolygonDelaunay, FillsRegularPolygonsOfEveryKind)
 	}
 }
 
-/// The shorter diagonal of a kite is the Delaunay one, whichever corner comes first.
+/// The shorter diagonal of a kite is the Delaunay diagonal, whichever corner comes first.
 TEST(PolygonDelaunay, TakesTheShorterDiagonalOfAKite)
 {
 	std::vector<Vec2d> kite{{2, 0}, {0, 1}, {-2, 0}, {0, -1}};
@@ -122,9 +122,11 @@ TEST(PolygonDelaunay, TakesTheShorterDiagonalOfAKite)
 	}
 }
 
-///   5-------4      The reflex corner 3 of an L must not be crossed.
+///   5---4
+///   |   |         Diagonals must not cross the reflex corner 3 of an L.
+///   |   3---2
 ///   |       |
-///   |   2---3      becomes: corners 0 (0,0), 1 (2,0), 2 (2,1), 3 (1,1), 4 (1,2), 5 (0,2)
+///   0-------1
 TEST(PolygonDelaunay, StaysWithinAnL)
 {
 	const std::vector<Vec2d> ell{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
@@ -135,8 +137,8 @@ TEST(PolygonDelaunay, StaysWithinAnL)
 	EXPECT_EQ(diagonalsOf(patch).count({0, 3}), 1u) << "both squares end at the reflex corner";
 }
 
-/// A notch between two corners: their circle holds a corner that the notch hides, which a
-/// constrained triangulation is allowed to ignore.
+/// A notch between two corners: the circle contains a corner that the notch hides, which a
+/// constrained triangulation may ignore.
 TEST(PolygonDelaunay, IsConstrainedByTheEdges)
 {
 	const std::vector<Vec2d> notched{{-3, -1}, {3, -1}, {3, 1}, {0, -0.6}, {-3, 1}};
@@ -197,7 +199,7 @@ TEST_P(RandomPolygons, OfConvexShapeHaveEmptyCircles)
 	for (int i = 0; i < 100; ++i) {
 		std::vector<Vec2d> polygon = randomStar(4 + random.below(12), 1, random);
 		for (Vec2d& p : polygon)
-			p.x *= 2; // an ellipse, so that corners are not on one circle
+			p.x *= 2; // an ellipse, so corners are not on a circle
 		ASSERT_TRUE(delaunay.triangulate(polygon, patch));
 		for (std::size_t x = 0; x < patch.corner.size(); x += 3) {
 			for (const Vec2d& p : polygon) {

@@ -14,7 +14,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Where long double is no wider than double there is nothing to compare with.
+/// Without a long double wider than double, no comparison is possible.
 constexpr bool hasWide = std::numeric_limits<long double>::digits >= 64;
 
 constexpr int valueNum = 400000;

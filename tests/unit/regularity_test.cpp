@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The stages that make a result regular: valences, glide of dislocations.
+// The stages for a regular result: valences, glide of dislocations.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
@@ -62,7 +62,7 @@ TEST(ValenceEnergy, FlipEnergyIsWhatAFlipChanges)
 	HalfEdgeMesh& m = on.m();
 	int           n = 0;
 	for (int h = 0; h < m.halfEdgeNum(); h += 7) {
-		// At a border angles count as well, which change where a flip folds a face.
+		// At a border angles count, too, and flips that fold a face change these angles.
 		if (m.isBorderVertex(m.origin[h]) || m.isBorderVertex(m.target(h))) continue;
 		if (m.isBorderVertex(m.apex(h)) || m.isBorderVertex(m.apex(m.opposite[h]))) continue;
 		if (!canFlip(m, h)) continue;
@@ -75,8 +75,8 @@ TEST(ValenceEnergy, FlipEnergyIsWhatAFlipChanges)
 	EXPECT_GT(n, 50);
 }
 
-/// Flips that leave the energy, until the two dislocations that the first one makes are `flips`
-/// flips apart: each moves the pair that can get furthest from where it began.
+/// Flips that leave the energy, until the two dislocations of the first flip are `flips` flips
+/// apart: each flip moves the pair as far from its start as possible.
 void separateDislocations(OnSurface& on, int first, int flips)
 {
 	HalfEdgeMesh& m      = on.m();
@@ -164,7 +164,7 @@ TEST_P(Glide, DoesNotDependOnThreads)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Glide, ::testing::ValuesIn(testSeeds(3)));
 
-/// Edges over the fold have vertices that are not flat.
+/// Edges over the fold have vertices on the fold, where the surface is not flat.
 TEST(GlideKeeps, ASharpFold)
 {
 	OnSurface on(bentSheet(24, 1.8));

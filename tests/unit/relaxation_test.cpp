@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Vertices that move on the surface and its curves: barycentric, by the umbrella, conformal.
+// Vertices move on the surface and its curves: barycentric, by the umbrella, conformal.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -101,8 +101,8 @@ TEST_P(RelaxOnce, MakesTrianglesMoreRegularAndTurnsNone)
 	}
 }
 
-/// Among long, crossing-prone triangles the barycentre of a ring may lie outside of what its vertex
-/// can see: such moves have to be taken back.
+/// Among long triangles the barycentre of a ring may be invisible from its vertex: such moves have
+/// to be taken back.
 TEST_P(RelaxOnce, TurnsNoFaceAmongPoorTrianglesEither)
 {
 	Random    random(GetParam());
@@ -154,7 +154,7 @@ void fixCornersOfUnitSquare(OnSurface& on)
 	}
 }
 
-/// A lattice whose points are moved by two long waves, of random phase, that fade at its border.
+/// A lattice whose points are moved by two long waves of random offset, fading towards the border.
 TriangleMesh wavyLattice(int n, Random& random)
 {
 	TriangleMesh mesh  = lattice(n, n);
@@ -171,7 +171,7 @@ TriangleMesh wavyLattice(int n, Random& random)
 	return mesh;
 }
 
-/// Short waves any relaxation damps; the momentum is there for the long ones.
+/// Any relaxation damps short waves; the momentum serves long waves.
 TEST_P(Conformal, TenStepsDampLongWavesMoreThanTenRelaxations)
 {
 	Random       random(GetParam()), again(GetParam());
@@ -232,7 +232,7 @@ TEST_P(Conformal, NoFaceTurnsAmongPoorTriangles)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Conformal, ::testing::ValuesIn(testSeeds(3)));
 
-/// Length of the longest edge over that of the shortest, borders left out.
+/// Longest edge over shortest edge, without borders.
 float grading(const HalfEdgeMesh& m)
 {
 	float least = 1e30f, most = 0;
@@ -245,8 +245,8 @@ float grading(const HalfEdgeMesh& m)
 	return most / least;
 }
 
-/// The lattice under the exponential function: triangles that grow by a fifth from row to row and
-/// are nearly equilateral.
+/// The lattice under the exponential function: nearly equilateral triangles that grow by a fifth
+/// from row to row.
 TriangleMesh growingLattice()
 {
 	TriangleMesh mesh = lattice(20, 12);
@@ -258,7 +258,7 @@ TriangleMesh growingLattice()
 	return mesh;
 }
 
-/// Size is none of the energy's business, so they keep theirs; barycentres would pull the vertices
+/// The energy ignores sizes, so triangles keep their sizes; barycentres would pull the vertices
 /// towards the larger triangles.
 TEST(ConformalKeeps, TheGradingOfAMesh)
 {
@@ -271,7 +271,7 @@ TEST(ConformalKeeps, TheGradingOfAMesh)
 	EXPECT_NEAR(grading(on.m()) / before, 1, 0.05f);
 }
 
-/// By which power of the distance from the origin the lengths of inner edges grow.
+/// The power of the distance from the origin by which the lengths of inner edges grow.
 double growth(const HalfEdgeMesh& m)
 {
 	double x = 0, y = 0, xx = 0, xy = 0, n = 0;
@@ -288,8 +288,8 @@ double growth(const HalfEdgeMesh& m)
 	return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// Edges as long as the distance from the origin wants stay so; barycentres that know of no sizes
-/// take a fifth of that away.
+/// Edges in proportion to the distance from the origin, as the sizes ask, stay; barycentres without
+/// sizes would take away a fifth of the growth.
 TEST(RelaxOnceKeeps, TheGradingOfAMeshThatHasSizes)
 {
 	OnSurface           on(growingLattice());

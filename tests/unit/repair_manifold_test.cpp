@@ -52,7 +52,7 @@ struct Repaired {
 	}
 };
 
-/// What a repair owes whatever was wrong.
+/// Expects a manifold, for any input.
 void expectManifold(const Repaired& r)
 {
 	EXPECT_TRUE(r.connects);
@@ -88,8 +88,8 @@ TEST(RepairManifold, DropsDuplicateFacesWhateverTheirOrder)
 	EXPECT_EQ(r.after.triangles, Repaired(grid(3, 3)).after.triangles);
 }
 
-/// Two faces go straight on from each other, but run along the edge the same way: joined, one of
-/// them would be turned over. The third one at 90° runs against both.
+/// Two faces go straight on from each other, but have the same direction at the edge: a join would
+/// turn one face over. The third face, at 90°, has the opposite direction.
 TEST(RepairManifold, KeepsFacesTogetherThatAreOrientedAlike)
 {
 	TriangleMesh mesh;
@@ -187,7 +187,7 @@ TEST(RepairManifold, CutsAKleinBottleOpen)
 	EXPECT_NEAR(factsOf(r.after).area, factsOf(r.before).area, 1e-5);
 }
 
-/// The repair once more, of the whole mesh with maps and sets, each step as its sentence says it.
+/// A second repair with maps and sets of the whole mesh, written as the rules say.
 class PlainRepair {
 public:
 	explicit PlainRepair(const TriangleMesh& mesh)
@@ -303,7 +303,7 @@ private:
 
 	void separateFans()
 	{
-		std::vector<int> fan(corner_.size()); // per corner: the first one of its fan
+		std::vector<int> fan(corner_.size()); // for each corner: the first corner of its fan
 		std::iota(fan.begin(), fan.end(), 0);
 		const auto firstOf = [&](int c) {
 			while (fan[std::size_t(c)] != c)
@@ -377,8 +377,8 @@ void expectAsPlainly(const Repaired& r)
 
 class RepairRandom : public ::testing::TestWithParam<std::uint32_t> {};
 
-/// The one promise that holds for any list of triangles: the result is manifold, lies where the
-/// input lay, and faces go only as duplicates.
+/// For any list of triangles: the result is manifold, lies at the place of the input, and only
+/// duplicate faces are dropped.
 TEST_P(RepairRandom, AnythingBecomesManifold)
 {
 	Random random(GetParam());
@@ -396,8 +396,7 @@ TEST_P(RepairRandom, AnythingBecomesManifold)
 	}
 }
 
-/// A handful of vertices and random faces over them: everything that can go wrong goes wrong at
-/// once.
+/// A handful of vertices and random faces: all faults at once.
 TEST_P(RepairRandom, CrowdsOfFacesOverFewVerticesBecomeManifold)
 {
 	Random random(GetParam());

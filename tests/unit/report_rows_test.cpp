@@ -14,7 +14,7 @@ using gpr::CountRow;
 
 TEST(ReportRows, EveryCountOfTheCleaningHasOneRow)
 {
-	// All but its last member are counts.
+	// All members except the last are counts.
 	constexpr std::size_t num =
 		(sizeof(CleanCounts) - sizeof(CleanCounts::longestJunction)) / sizeof(std::int64_t);
 	std::int64_t values[num];
@@ -40,7 +40,7 @@ TEST(ReportRows, OnlyWhatHappenedIsTold)
 		EXPECT_FALSE(row.isTold()) << row.key;
 	counts.weldedVertices = 1;
 	counts.sewnEdges      = 2;
-	counts.longEdgesSplit = 3; // in JSON only: it changes nothing that the user gave
+	counts.longEdgesSplit = 3; // in JSON only: no change of the input's surface
 	std::string told;
 	for (const CountRow& row : describe(counts)) {
 		if (row.isTold()) told += std::to_string(row.count) + " " + row.words() + "; ";

@@ -32,7 +32,7 @@ struct Sewn {
 	}
 };
 
-/// Cut apart where x, or y, is 0.5.
+/// Cuts a mesh at x = 0.5, or at y = 0.5.
 TriangleMesh cutByPlanes(const TriangleMesh& mesh, bool alongX, bool alongY)
 {
 	std::vector<int> part;
@@ -108,7 +108,7 @@ TEST(SewSeams, WhatIsNearerThanAMillionthOfTheBoxIsAtOnePlace)
 	}
 }
 
-/// Two sides of a border with different numbers of vertices: a T-junction is no seam.
+/// Two sides of a border with different numbers of vertices: such a border is no seam.
 TEST(SewSeams, ABorderIsSewnWhereItCoincidesEdgeByEdge)
 {
 	const Sewn tees(joined(grid(2, 2), shifted(grid(2, 3), {1, 0, 0})));
@@ -156,7 +156,7 @@ TEST(SewSeams, WhereMoreThanTwoMeetTheyStayCutAtTheSameNumbers)
 
 TEST(SewSeams, SheetsThatLieOnOneAnotherAreNotJoined)
 {
-	// A sheet with two sides, as games have them, the same twice, and one with other diagonals.
+	// A sheet with two sides, as in games; the same sheet twice; and a sheet with other diagonals.
 	const TriangleMesh sheet  = grid(4, 4);
 	TriangleMesh       mirror = sheet;
 	for (Vec3d& p : mirror.positions)
@@ -191,12 +191,13 @@ TEST(SewSeams, PartsThatAreTheOtherWayRoundAreSewnWhereTurningThemHelps)
 	EXPECT_EQ(r.counts.nonOrientableCuts, 0);
 }
 
-/// The ends of a strip that is twisted once lie at one place, but no turning makes them fit.
+/// The ends of a strip with one twist lie at the same place, but no turning of faces makes the ends
+/// fit.
 TEST(SewSeams, AOneSidedStripStaysCut)
 {
 	TriangleMesh strip = moebiusStrip(40, 3);
 	for (Vec3d& p : strip.positions)
-		p += Vec3d(0.5, 0.5, 0); // cut where x or y is 0.5
+		p += Vec3d(0.5, 0.5, 0); // cut at x = 0.5 and y = 0.5
 	const Sewn r(cutByPlanes(strip, true, true));
 	EXPECT_EQ(factsOf(r.before).components, 4);
 	EXPECT_EQ(r.counts.sewnEdges, 3 * 3);
@@ -218,8 +219,8 @@ TEST(SewSeams, SingleFacesBecomeASurface)
 	}
 }
 
-/// Two bent sheets with the same rim and an edge across at the same place: sewing the rim would
-/// give that edge four faces.
+/// Two bent sheets with the same rim and an edge across at the same place: after sewing the rim,
+/// this edge would have four faces.
 TEST(SewSeams, NoEdgeGetsMoreThanTwoFaces)
 {
 	TriangleMesh lens;
@@ -235,7 +236,7 @@ TEST(SewSeams, NoEdgeGetsMoreThanTwoFaces)
 	EXPECT_GT(r.counts.sharedBorderEdges, 0);
 }
 
-/// Parts that lie twice at the same place, the right way round or not, and parts that are missing.
+/// Parts twice at the same place, the right way round or turned over, and missing parts.
 TriangleMesh withPartsTwice(const TriangleMesh& mesh, const std::vector<int>& part, Random& random)
 {
 	TriangleMesh     all;
@@ -258,7 +259,8 @@ TriangleMesh withPartsTwice(const TriangleMesh& mesh, const std::vector<int>& pa
 	return cutApart(all, partOfAll);
 }
 
-/// Whatever lies on one another, an edge never gets a third face, and a vertex no second fan.
+/// Whatever parts lie at the same place, an edge never gets a third face, and a vertex no second
+/// fan.
 TEST(SewSeams, RandomPartsStayManifold)
 {
 	for (std::uint32_t seed : testSeeds(150)) {

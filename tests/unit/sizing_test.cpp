@@ -28,7 +28,7 @@ protected:
 	}
 };
 
-/// In the caller's unit, with the sign that the normals give it.
+/// In units of the input, with the sign of the normals.
 TEST_F(SizingTest, MeanCurvatureOfASphereIsOneOverItsRadius)
 {
 	for (int passes : {0, 5}) {
@@ -74,7 +74,8 @@ TEST_F(SizingTest, NothingWantedIsNothingGiven)
 	EXPECT_EQ(none.radiusFactor, 1);
 }
 
-/// On a sphere all sizes are equal: the largest is 1, and the radius is that without a density.
+/// On a sphere all sizes are equal: the largest is 1, and the radius is the same as without a
+/// density.
 TEST_F(SizingTest, EvenCurvatureChangesNothing)
 {
 	options.lambda          = 3;
@@ -139,7 +140,7 @@ TEST_F(SizingTest, SizesByTheErrorAreSmallAtABendUnlessItIsAFeatureLine)
 		EXPECT_EQ(size, 1.0f);
 }
 
-/// A border whose vertices stay is finer than the rest is to be: disks there go with its spacing.
+/// A kept border is finer than the wanted result: disks there follow the spacing of the border.
 TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 {
 	options.boundary        = BoundaryMode::Keep;

@@ -53,7 +53,7 @@ TEST(DropComponentsBelow, LeavesTheOthersAsIfTheyWereAlone)
 	EXPECT_EQ(r.report.targetVertexNum, alone.report.targetVertexNum) << "the area of what is left";
 }
 
-/// Counted after the cuts: fins that only share an edge with others are components.
+/// Components are counted after the cuts: fins with only an edge in common are components.
 TEST(DropComponentsBelow, WorksOnWhatIsNotManifold)
 {
 	RemeshOptions options;

@@ -15,8 +15,8 @@ namespace {
 
 using Corners = std::array<std::array<float, 3>, 3>;
 
-/// A face by the places of its corners, turned so that the smallest comes first: independent of
-/// numbering, but not of orientation.
+/// A face by the places of its corners, from the smallest corner on: independent of numbering, but
+/// not of orientation.
 Corners placesOf(const TriangleMesh& mesh, std::size_t f)
 {
 	Corners c;

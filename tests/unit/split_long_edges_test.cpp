@@ -73,7 +73,7 @@ TEST(SplitLongEdgesOf, ShortEdgesNothingChanges)
 	EXPECT_EQ(meshOf(m).triangles, before.triangles);
 }
 
-/// The search leaves out groups of faces without a long edge, whatever group has one.
+/// The search skips groups of faces without a long edge, and finds long edges in any group.
 TEST(SplitLongEdgesOf, LongFacesAreFoundInEveryGroup)
 {
 	Workers           workers(2, nullptr);
@@ -107,8 +107,7 @@ TEST(SplitLongEdgesOf, ALongFaceIsFoundAtTheVeryEnd)
 			  std::vector<int>{m.faceNum - 1});
 }
 
-/// One huge face beside small ones, as stray triangles of scans are: only it and what it touches
-/// grow.
+/// A huge face beside small faces, like a stray triangle of a scan: only the huge face is split.
 TEST(SplitLongEdgesOf, AStrayTriangleIsDividedAndTheRestLeftAlone)
 {
 	Workers      workers(1, nullptr);
@@ -123,8 +122,8 @@ TEST(SplitLongEdgesOf, AStrayTriangleIsDividedAndTheRestLeftAlone)
 	EXPECT_EQ(fromStray, 4096) << "six halvings of all edges: 5.66 to 0.088";
 }
 
-/// A tetrahedron with three faces 200 times longer than wide, of which halving all edges would make
-/// 3⁸, and a sphere drawn out, so that all edges of most of its faces are long.
+/// A tetrahedron with three faces 200 times longer than wide, from which halving of all edges would
+/// make 3⁸, and a sphere drawn out so much that most faces have only long edges.
 TriangleMesh needles()
 {
 	TriangleMesh needle;
@@ -151,7 +150,7 @@ TEST(SplitLongEdgesOf, NeedlesBecomeStrips)
 	EXPECT_LT(m.faceNum, 40000) << "halving made 167,830";
 }
 
-/// Vertices have their own sizes, and an edge may be split deeper on the way to a small one.
+/// Vertices have different sizes, and an edge may be split deeper on the way to a small size.
 TEST(SplitLongEdgesOf, NeedlesBecomeStripsWhereSizesDiffer)
 {
 	Workers            workers(1, nullptr);

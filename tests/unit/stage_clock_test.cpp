@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Times of stages, and the progress that is told meanwhile.
+// Times of stages, and progress.
 
 #include <vcg_extras/core/base/stage_clock.h>
 
@@ -13,7 +13,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A clock whose last progress can be asked for.
+/// Clocks with access to the last progress.
 class StageClocks : public ::testing::Test {
 protected:
 	double  told_ = -1;
@@ -22,7 +22,7 @@ protected:
 						 return true;
 					 }};
 
-	/// Progress is told some times a second only.
+	/// Waits, as progress is reported only some times a second.
 	double shareNow()
 	{
 		std::this_thread::sleep_for(std::chrono::milliseconds(60));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The table of stages: what reports and progress bars are made from.
+// The table of stages, the source of reports and progress bars.
 
 #include <vcg_extras/core/base/stages.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The means of testing are tested first: an audit that finds nothing wrong proves nothing.
+// Tests of the tests' tools: a blind audit would prove nothing.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Even points and the distances measured by them, against closed forms.
+// Even points, and distances measured at even points, against closed forms.
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/even_points.h>
 #include <vcg_extras/core/surface/surface_distance.h>
@@ -27,7 +27,7 @@ TriangleMesh squareAt(const Vec3d& corner)
 	return mesh;
 }
 
-/// The unit square with a side on the x axis, tilted so that its height is y times 0.75.
+/// The unit square with a side on the x axis, tilted: z is 0.75 times y.
 TriangleMesh ramp()
 {
 	TriangleMesh mesh;
@@ -36,7 +36,7 @@ TriangleMesh ramp()
 	return mesh;
 }
 
-/// All of [-1,2]² that is not in the unit square.
+/// The square [-1,2]² without the unit square.
 TriangleMesh frame()
 {
 	TriangleMesh mesh;
@@ -101,7 +101,7 @@ TEST(MeasuredSurface, TakesAnySetOfFaces)
 	TriangleMesh wild = squareAt({0, 0, 0});
 	wild.positions.push_back({0.5, 0.5, 9});
 	wild.positions.push_back({nan, 0, 0});
-	// Three faces at an edge, one with a corner that is not finite, one with a corner twice.
+	// Three faces at an edge, a face with a corner that is not finite, a face with a corner twice.
 	wild.triangles.insert(wild.triangles.end(), {0, 2, 4, 0, 1, 5, 1, 1, 2});
 	const DistanceFigures there = distance(squareAt({0, 0, 0.25}), wild);
 	EXPECT_LE(there.max, 0.25 + 1e-12);
@@ -135,8 +135,8 @@ TEST(MeasuredSurface, OneSpikeDoesNotShowInP999)
 	EXPECT_NEAR(d.max, 1.1, 1e-6);
 }
 
-// From the square to what surrounds it the distance is that to the nearest side: mean 1/6, mean of
-// the squares 1/24, largest 1/2 in the middle.
+// From the square to the frame round the square, the distance is the distance to the nearest side:
+// mean 1/6, mean of the squares 1/24, largest 1/2 in the middle.
 TEST(MeasuredSurface, IsSpreadEvenly)
 {
 	const DistanceFigures many = distance(squareAt({0, 0, 0}), frame(), 200000);
@@ -155,8 +155,7 @@ TEST(MeasuredSurface, IsOneSided)
 	EXPECT_LT(distance(squareAt({0, 0, 0}), frame(), 1000).max, 0.51);
 }
 
-// A peak of height h over the middle of the square: its tip is farthest, and of the faces at the
-// rim the middle of an edge or of the face.
+// A peak of height h over the middle of the square: its tip is the farthest point of each face.
 TEST(MeasuredSurface, FarthestPointsAreThoseOfTheFaces)
 {
 	TriangleMesh tent = squareAt({0, 0, 0});
@@ -171,7 +170,7 @@ TEST(MeasuredSurface, FarthestPointsAreThoseOfTheFaces)
 		EXPECT_NEAR(p.distance, 0.3, 1e-12);
 		EXPECT_EQ(p.position, Vec3d(0.5, 0.5, 0.3));
 	}
-	// From the tent, the middle of the flat face is not farther than its height allows.
+	// From the square to the tent, the middle of the square is no farther than the height allows.
 	const auto back =
 		gpr::MeasuredSurface(tent.view(), workers).farthestPoints(flat.view(), {0, 1}, workers);
 	for (const gpr::FarthestPoint& p : back) {

@@ -17,7 +17,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Sizes that fall to an eighth towards one side.
+/// Sizes that fall to an eighth towards a side.
 Buffer<float> sizesAlong(const Surface& s)
 {
 	Buffer<float> size(s.mesh.vertexNum);
@@ -34,7 +34,7 @@ float longestEdgeOf(const HalfEdgeMesh& m)
 	return longest;
 }
 
-/// The places of a face's corners, from the first one in order on.
+/// The places of a face's corners, from the smallest corner on.
 using Places = std::array<std::array<float, 3>, 3>;
 
 std::vector<Places> facesOf(const HalfEdgeMesh& m)
@@ -72,7 +72,7 @@ protected:
 		return s;
 	}
 
-	/// Splits edges above so much of the longest one; returns how many splits it takes.
+	/// Splits edges above a share of the longest edge; returns the number of splits.
 	std::int64_t refine(Surface& s, float share)
 	{
 		const float longest = longestEdgeOf(s.mesh) * share;
@@ -80,7 +80,7 @@ protected:
 	}
 };
 
-/// The way round about is to split, to order and to connect anew.
+/// Compared with the long way: splitting, ordering and connecting anew.
 TEST_P(SurfaceRefinement, IsWhatSplittingAndConnectingAnewMakes)
 {
 	Surface     s = withSizes(), other = withSizes();
@@ -136,7 +136,7 @@ TEST_P(SurfaceRefinement, KeepsVerticesInTheOrderOfTheCells)
 	}
 }
 
-/// The sampling looks for the faces of a block among those of a range, and misses the others.
+/// The sampling looks for the faces of a block in a range of faces, and misses faces out of order.
 TEST_P(SurfaceRefinement, KeepsFacesInTheOrderOfTheirSmallestVertex)
 {
 	Surface s = withSizes();

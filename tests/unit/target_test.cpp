@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The count that is aimed at.
+// The wanted count.
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/sampling/target.h>
@@ -12,7 +12,7 @@ namespace gpr::test {
 
 namespace {
 
-/// The status of the failure that body throws; Ok where it throws none.
+/// The status of the failure that body throws; Ok without a failure.
 template <class Body>
 Status statusOf(const Body& body)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What vertices are moved by, each term by itself.
+// The terms that move vertices, each by itself.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
@@ -50,13 +50,14 @@ TriangleMesh latticeOfSixes()
 	return mesh;
 }
 
-/// Inner vertices at least so many rings from the border of a grid of side 1.
+/// Whether an inner vertex is at least `margin` from the border of a grid of side 1.
 bool isDeep(const Vec3f& p, float margin)
 {
 	return p.x > margin && p.y > margin && p.x < 1 - margin && p.y < 1 - margin;
 }
 
-/// The operator is of fourth order: it vanishes for cubic polynomials on a regular lattice.
+/// The operator is of fourth order: on a regular lattice, the operator vanishes for cubic
+/// polynomials.
 TEST(SecondOrderUmbrella, VanishesOnRegularLattices)
 {
 	TriangleMesh sheet = latticeOfSixes();
@@ -74,9 +75,8 @@ TEST(SecondOrderUmbrella, VanishesOnRegularLattices)
 	EXPECT_GT(deep, 100);
 }
 
-/// One vertex of a lattice of sixes displaced by d: U(v) = -d and U of each of its six neighbours
-/// is d/6, of which U²(v) = d/6 + d, and ν = 7/6; so that the step takes v back to its place at
-/// once.
+/// A vertex of a regular lattice displaced by d: U(v) = -d, and d/6 for its six neighbours. So
+/// U²(v) = d/6 + d and ν = 7/6, and one step takes v back to its place.
 TEST(SecondOrderUmbrella, TakesADisplacedVertexBackAtOnce)
 {
 	TriangleMesh sheet = latticeOfSixes();

@@ -16,7 +16,7 @@ namespace gpr::test {
 
 namespace {
 
-/// The texture of a point of the unit square: two charts that meet, and do not fit, at x = 0.5.
+/// The texture of a point of the unit square: two charts with a seam at x = 0.5.
 std::array<double, 2> chartAt(const Vec3d& p, bool right)
 {
 	if (right) return {0.9 - 0.4 * p.y, 0.4 * p.x};
@@ -46,7 +46,8 @@ RemeshResult remeshed(const MeshView& view, std::int64_t vertexNum)
 	return remesh(view, options);
 }
 
-/// Largest distance of the texture at a face's corners from that of the side its middle is on.
+/// Largest distance of the texture at a face's corners from the texture of the side of the face's
+/// middle.
 double largestMiss(const TriangleMesh& mesh, const CornerTexture& carried)
 {
 	double largest = 0;
@@ -106,10 +107,10 @@ TEST(TextureTransfer, FacesAcrossASeamGetTheTextureOfTheirMiddlesSide)
 	const RemeshResult  r = remeshed(mesh.view(), 200); // without lines
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	const CornerTexture carried = source.carriedTo(r);
-	// A corner across the seam gets the nearest point's, no farther off than an edge is long.
+	// A corner across the seam gets the texture of the nearest point, at most an edge away.
 	const double edge = r.report.quality.meanEdgeLen;
 	EXPECT_LT(largestMiss(r.mesh, carried), 0.4 * 1.3 * edge);
-	// The charts themselves are farther apart than that.
+	// The charts are farther apart.
 	EXPECT_GT(std::abs(chartAt({0.5, 0.3, 0}, false)[0] - chartAt({0.5, 0.3, 0}, true)[0]),
 			  0.4 * 1.3 * edge);
 }
@@ -162,7 +163,7 @@ TEST(PointVector, AreLeftOutWhereNobodyAsksAndChangeNothing)
 	EXPECT_TRUE(without.surfacePoints.empty());
 	EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
 	EXPECT_EQ(with.mesh.positions, without.mesh.positions);
-	// Vertices that are kept are named whatever was asked for.
+	// Kept vertices are named in any case.
 	options.boundary        = BoundaryMode::Keep;
 	options.targetVertexNum = 300;
 	const RemeshResult kept = remesh(mesh.view(), options);

@@ -94,7 +94,7 @@ TEST(CheckOption, TellsDistancesInTheCallersUnit)
 	EXPECT_FALSE(remesh(icosphere(2).view(), RemeshOptions()).report.check.done);
 }
 
-/// Two sides of a plate that is far thinner than the few triangles it is given are wide.
+/// Two sides of a plate far thinner than its few triangles are wide.
 TEST(CheckOption, WithholdsWhatCrossesItself)
 {
 	TriangleMesh wavy = thinPlate(40, 0.004);

@@ -28,7 +28,7 @@ TriangleTree treeOf(const TriangleMesh& mesh, int threads = 2)
 	return TriangleTree(mesh.view(), Vec3d(), workers);
 }
 
-/// Pairs of corners that two triangles have in common.
+/// The number of pairs of common corners of two triangles.
 int commonCorners(const Triangle& a, const Triangle& b)
 {
 	int num = 0;

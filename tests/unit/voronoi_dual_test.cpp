@@ -17,7 +17,7 @@ namespace gpr::test {
 
 namespace {
 
-/// A surface without curves, and cells on it.
+/// A surface without curves, and its cells.
 class VoronoiCells : public ::testing::TestWithParam<std::uint32_t> {
 protected:
 	Random         random{GetParam()};
@@ -28,7 +28,7 @@ protected:
 
 	void takeSurface(const TriangleMesh& mesh) { surface = surfaceOf(mesh, workers); }
 
-	/// A sample at each of these vertices, and the cells nearest to them.
+	/// Puts a sample at each vertex of the list, and makes the cells.
 	void putSamples(const std::vector<int>& vertices)
 	{
 		sampling.radius = 0.1f;
@@ -105,7 +105,8 @@ TEST_P(VoronoiCells, VerticesThatWereCutOffGoToTheCellsRoundThem)
 	expectSameTopology(cells.mesh);
 }
 
-/// Four cells round a torus are rings, of Euler characteristic 0: drawn together they would cut it.
+/// Four cells round a torus are rings, of Euler characteristic 0: contracted rings would cut the
+/// torus.
 TEST_P(VoronoiCells, RingsAreLeftOpen)
 {
 	takeSurface(torus(80, 24));
@@ -119,7 +120,7 @@ TEST_P(VoronoiCells, RingsAreLeftOpen)
 	expectSameTopology(remove().mesh);
 }
 
-/// A cell with the handle in it has one rim, as a disk has, and must not be taken for one.
+/// A cell with a handle has a single border loop, as a disk has, but is no disk.
 TEST_P(VoronoiCells, ACellWithAHandleIsLeftOpen)
 {
 	takeSurface(torus(60, 30));

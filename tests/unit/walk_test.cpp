@@ -14,8 +14,8 @@ namespace gpr::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-/// Below a quarter of a cell no triangle of a jittered grid is inverted. Where one is, the plane is
-/// folded, and a walk over it is not straight.
+/// Below a quarter of a cell no triangle of a jittered grid is inverted. An inverted triangle would
+/// fold the plane, and walks would not be straight.
 constexpr double maxJitter = 0.24;
 
 /// A random point of a random face.
@@ -71,7 +71,7 @@ TEST_P(Walk, TheStepIsTurnedIntoTheFaceAndKeepsItsLength)
 	EXPECT_NEAR(double(at.position.y), 0.52, 1e-6);
 }
 
-/// On a prism everything can be unrolled: where a point lies along the polygon, and its height.
+/// A prism can be unrolled: the place of a point along the polygon, and its height.
 TEST_P(Walk, OnAPrismIsStraightOnTheUnrolledSide)
 {
 	constexpr int      around = 24;
@@ -169,7 +169,7 @@ TEST(WalkAtAll, GoesNowhereByAZeroStep)
 	EXPECT_EQ(at.position, Vec3f(0.4f, 0.1f, 0));
 }
 
-/// Two corners of a face lie at one place, so that its normal says nothing.
+/// Two corners of a face lie at one place, so the normal of the face has no meaning.
 TEST(WalkAtAll, StaysInAFaceWithoutArea)
 {
 	TriangleMesh mesh;
@@ -183,7 +183,7 @@ TEST(WalkAtAll, StaysInAFaceWithoutArea)
 	}
 }
 
-/// What rounding leaves of a needle's height turns its normal by some degrees.
+/// Rounding of the needle's height turns the normal by some degrees.
 TEST_P(Walk, DoesNotLeaveANeedle)
 {
 	TriangleMesh mesh;
@@ -206,8 +206,7 @@ TEST(WalkAtAll, EndsByItsBound)
 	EXPECT_LT(distanceToOwnFace(m, at), 1e-4);
 }
 
-/// The normal of a face less than a thousandth as high as long is off by rounding, and with it the
-/// plane.
+/// Rounding turns the normal and the plane of a face less than a thousandth as high as long.
 TEST(WalkAtAll, StaysInTheNeedleThatItBeginsIn)
 {
 	Random       random(3);

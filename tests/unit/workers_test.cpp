@@ -240,7 +240,7 @@ TEST(Buffer, MovesItsMemory)
 	EXPECT_EQ(c.begin(), c.end());
 }
 
-/// Tasks that do not end by themselves hear of a failure, or of a stop, in any thread.
+/// Long tasks learn of a failure or of a stop in any thread.
 TEST(Workers, LongTasksEndWithTheirLoop)
 {
 	for (int threads : {1, 2, 3}) {
