@@ -33,8 +33,8 @@ enum class RegionSource { Nothing, Texture, Colour, Quality };
 /// The meaning of the quality of the vertices for sizes.
 enum class QualitySizes {
 	Nothing,
-	Exact, ///< it is the edge length wanted there
-	Scaled ///< it is so up to a factor that the wanted number sets
+	Exact, ///< the edge length wanted there
+	Scaled ///< in proportion to the edge length; the wanted number sets the factor
 };
 
 /// The engine's function that a filter runs.

@@ -22,8 +22,8 @@ int postConditionOf(Filter filter);
 
 /// How a run ended.
 struct RunOutcome {
-	bool done = false; ///< false: the document is as it was
-	/// One line or sentence each: for the log when it was done, else for the user and the log.
+	bool done = false; ///< false: the document is unchanged
+	/// A line or sentence each: after a success for the log, else for the user and the log.
 	std::vector<std::string> lines;
 	Figures                  figures; ///< for programs; empty after a failure
 };
@@ -31,7 +31,7 @@ struct RunOutcome {
 /// Takes a line for the host's log.
 using LogLine = std::function<void(const std::string&)>;
 
-/// Applies one filter after the other.
+/// Applies filters in turn.
 class FilterRunner {
 public:
 	/// Applies a filter to the document's current layer; before the work `log` gets the estimate of

@@ -14,9 +14,9 @@
 
 namespace gpr_filter {
 
-/// Labels of faces, as gpr::MeshView has them.
+/// Labels of faces in the form of gpr::MeshView.
 struct LayerRegions {
-	std::vector<std::int32_t> label; ///< one a face; empty: there are none
+	std::vector<std::int32_t> label; ///< a label for each face; empty without labels
 	std::vector<std::string>  names; ///< by label, or empty
 };
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints vcg_extras/docs/measurements_options.md: what single options do to triangles and
+// Prints vcg_extras/docs/measurements_options.md: the effects of single options on triangles and
 // distances.
 //
 //   GPR_MODELS_DIR=... build/bin/gpr_option_table COMMIT > vcg_extras/docs/measurements_options.md
 //
-// Needs the bunny of Debian's package glmark2-data. Of the models in GPR_MODELS_DIR those that are
-// there are taken; vcg_extras/docs/models.md says where they come from.
+// Needs the bunny of Debian's package glmark2-data, and takes all models in GPR_MODELS_DIR;
+// vcg_extras/docs/models.md has their sources.
 #include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -27,7 +27,7 @@ namespace {
 
 using namespace gpr;
 
-constexpr double       sharpDeg        = 40; ///< of edges that are to be preserved
+constexpr double       sharpDeg        = 40; ///< of crease edges to be preserved
 constexpr std::int64_t distanceSamples = 400000;
 
 struct Model {
@@ -35,7 +35,7 @@ struct Model {
 	TriangleMesh mesh;
 };
 
-/// A name for the table, and the options that it stands for.
+/// A name for the table, and its options.
 struct Setting {
 	std::string   name;
 	RemeshOptions options;
@@ -59,7 +59,8 @@ SurfaceDistance distanceBetween(const TriangleMesh& input, const TriangleMesh& r
 	return distance.larger().times(100 / measureMesh(input.view()).diagonal);
 }
 
-/// Of the input's sharp edges, by their ends and middles, from the result; the same units.
+/// Distances from the input's crease edges, by ends and middles, to the result, in units of the
+/// input.
 SurfaceDistance distanceOfSharpEdges(const TriangleMesh& input, const TriangleMesh& result)
 {
 	const std::vector<Vec3d> ends = test::sharpSegments(input, sharpDeg);
@@ -209,7 +210,7 @@ const char* const intro =
 	"[Sources of the models](models.md). Commit %s.\n"
 	"\n";
 
-/// Those that are there, of the models' folder.
+/// The models of the list in the models' folder.
 std::vector<Model> modelsOf(const std::vector<std::string>& names)
 {
 	std::vector<Model> models;

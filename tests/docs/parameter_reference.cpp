@@ -5,7 +5,7 @@
 //
 //   gpr_parameter_reference                 prints the page
 //   gpr_parameter_reference --write ROOT    writes the page and the scripts into the repository
-//   gpr_parameter_reference --check ROOT    ends with 0 where they are up to date, else with 1
+//   gpr_parameter_reference --check ROOT    ends with 0 if all files are up to date, else with 1
 #include "filter_text.h"
 
 #include <vcg_extras/core/parameter_table.h>
@@ -54,7 +54,7 @@ std::string plain(double value)
 	return text.str();
 }
 
-/// For a cell of a table, where a bar ends the cell even within code.
+/// A text for a cell of a table: a bar would end the cell even within code.
 std::string inCell(std::string text)
 {
 	for (std::size_t at = text.find('|'); at != text.npos; at = text.find('|', at + 2))
@@ -101,7 +101,7 @@ double numberOf(const ParameterValue& value)
 	return std::get<bool>(value) ? 1 : 0;
 }
 
-/// Defaults that go with the mesh are told as a share of what they go with.
+/// A default that depends on the mesh is told as a share of its base.
 std::string defaultText(const Parameter& p)
 {
 	if (p.isAutomatic) return gpr::automaticName;
@@ -125,7 +125,7 @@ std::string overviewRow(const Parameter& p, bool withOption)
 		   " |\n";
 }
 
-/// Whether the program has a command for it.
+/// Whether the program has a command for this filter.
 bool isCommand(Filter filter)
 {
 	return filter == gpr_filter::RemeshFilter || filter == gpr_filter::FeatureFilter ||
@@ -170,13 +170,13 @@ std::string chapter(Filter filter)
 	return text + overview(filter) + "\n" + scriptLink(filter);
 }
 
-/// What is so in one host only, as a paragraph of its own.
+/// Sentences about a single host, as a separate paragraph.
 std::string inHost(const char* host, const std::string& sentences)
 {
 	return sentences.empty() ? sentences : std::string("\n*") + host + ":* " + sentences + "\n";
 }
 
-/// The rows of all filters, those of the engine first.
+/// The rows of all filters, first the engine's rows.
 std::vector<Parameter> allRows()
 {
 	std::vector<Parameter> rows = gpr::makeParameterTable();
@@ -213,7 +213,7 @@ std::string page()
 
 // ---- scripts
 
-/// A script is made for no mesh in particular. The number of vertices is what a user edits first.
+/// The value in a script, which is made for any mesh. A user edits the number of vertices first.
 ParameterValue scriptValue(const Parameter& p)
 {
 	return p.defaultValue(MeshFacts{100000, 1.0});
@@ -225,7 +225,7 @@ std::string valueText(const Parameter& p, const ParameterValue& value)
 	return plain(p, p.isAutomatic ? gpr_filter::kAutomaticNumber : numberOf(value));
 }
 
-/// What meshlabserver needs to know of a type beside its name.
+/// Attributes of a type for meshlabserver, beside the name.
 std::string typeAttributes(const Parameter& p)
 {
 	if (p.kind == ParameterKind::Length) return " min=\"0\" max=\"1\"";
@@ -250,7 +250,7 @@ std::string script(Filter filter)
 
 // ---- the program
 
-/// A file that is made from the table: its path below the repository's root, and its text.
+/// A file made from the table: its path below the repository's root, and its text.
 struct MadeFile {
 	std::string path, text;
 };

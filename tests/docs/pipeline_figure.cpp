@@ -3,10 +3,9 @@
 // Makes the figure at the head of vcg_extras/docs/algorithm.md from the engine's table of stages.
 //
 //   gpr_pipeline_figure                 prints the figure
-//   gpr_pipeline_figure --write ROOT    writes it between its marks in the page
-//   gpr_pipeline_figure --check ROOT    ends with 0 where the page has it and, below it, an entry
-//   with
-//                                       the key of every stage, else with 1
+//   gpr_pipeline_figure --write ROOT    writes the figure between its marks in the page
+//   gpr_pipeline_figure --check ROOT    ends with 0 if the page has the figure and, below, an entry
+//                                       with the key of every stage, else with 1
 #include <vcg_extras/core/base/stages.h>
 
 #include <cmath>
@@ -32,7 +31,8 @@ std::string padded(std::string text, std::size_t columns)
 	return text;
 }
 
-/// A row a stage: its key in the report, what users read, and a bar as long as its share of a run.
+/// A row for each stage: its key in the report, its phrase for users, and a bar as long as its
+/// share of a run.
 std::string figure()
 {
 	constexpr double columns = 100; // of all bars together
@@ -56,7 +56,7 @@ std::string contentOf(const std::string& path)
 	return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// The page with the figure between its marks; empty where the marks are missing.
+/// The page with the figure between its marks; empty without the marks.
 std::string pageWithFigure(const std::string& page)
 {
 	const std::size_t begin = page.find("<!-- pipeline: begin");
@@ -65,7 +65,7 @@ std::string pageWithFigure(const std::string& page)
 	return page.substr(0, begin) + figure() + page.substr(end + endMark.size());
 }
 
-/// Keys that no entry below the figure has, with commas between them.
+/// Keys without an entry below the figure, with commas between.
 std::string keysWithoutEntry(const std::string& page)
 {
 	const std::string entries = page.substr(page.find(endMark) + endMark.size());

@@ -23,7 +23,7 @@ inline std::vector<std::filesystem::path> corpusFiles(const std::string& target)
 	return files;
 }
 
-/// What a file of hexadecimal bytes stands for; '#' begins a comment.
+/// The bytes of a file of hexadecimal numbers; '#' begins a comment.
 inline std::string bytesOf(const std::filesystem::path& file)
 {
 	std::ifstream stream(file);

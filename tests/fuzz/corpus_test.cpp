@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What fuzzing has found, and what it starts from, as a test: files of hexadecimal bytes in
-// corpus/<target>, '#' begins a comment.
+// The corpus of the fuzzers as a test: findings and starts, in files of hexadecimal bytes in
+// corpus/<target>; '#' begins a comment.
 
 #include "corpus.h"
 #include "pipeline.h"

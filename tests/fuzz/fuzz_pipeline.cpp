@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // libFuzzer target: any bytes make a mesh and options, and the engine owes a sound result or a
-// sentence. The meshes are small, as a million executions find more than a few large ones.
+// sentence. The meshes are small: a million executions find more than a few large meshes.
 
 #include "pipeline.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// libFuzzer target for the reader that GPR_READER names.
+// libFuzzer target for the reader of the name GPR_READER.
 
 #include "reader_check.h"
 

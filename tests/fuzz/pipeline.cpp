@@ -34,7 +34,7 @@ private:
 	std::size_t         left_;
 };
 
-/// Mostly 0 to 7; now and then what no file should hold.
+/// Mostly 0 to 7; now and then a number that no file should hold.
 double coordinate(int byte)
 {
 	switch (byte) {
@@ -91,8 +91,8 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 {
 	const bool isRefusal = status == Status::CountTooSmall || status == Status::UnusableInput ||
 						   status == Status::BadOptions || status == Status::OutOfMemory;
-	// Faces without area may hold a surface together, and then no other faces can; a check asked
-	// for may find what it looks for. Sheets at one place cannot be kept apart.
+	// A result may be withheld if only degenerate faces hold the surface together, if a check finds
+	// self-intersections, or if sheets lie at one place.
 	const bool isWithheld = status == Status::PromiseBroken &&
 							(message.find("degenerate faces") != std::string::npos ||
 							 message.find("self-intersecting") != std::string::npos ||
@@ -114,7 +114,7 @@ std::string complaintsAboutMesh(const RemeshResult& r, const RemeshOptions& o)
 	return text;
 }
 
-/// Sheets that meet in junctions are no manifold.
+/// Complaints about a result with junctions, which is no manifold.
 std::string complaintsAboutSheets(const RemeshResult& r, const RemeshOptions& o)
 {
 	const SurfaceFacts facts = factsOf(r.mesh);
@@ -124,7 +124,7 @@ std::string complaintsAboutSheets(const RemeshResult& r, const RemeshOptions& o)
 	if (facts.unusedVertices + facts.notFinite > 0) text += " vertices";
 	if (facts.zeroAreaFaces > 0) text += " without area";
 	if (!r.report.audit.junctionsKept) text += " junctions";
-	const bool isOrder = !o.allowNearest; // a wish may get others, where sheets lie on each other
+	const bool isOrder = !o.allowNearest; // sheets at one place may change the count of a wish
 	if (isOrder && std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) {
 		text += " " + std::to_string(r.mesh.vertexNum()) + " vertices in place of " +
 				std::to_string(r.report.targetVertexNum);
@@ -143,7 +143,8 @@ std::string complaintsAboutRegions(const MeshView& view, const RemeshResult& r)
 	return "";
 }
 
-/// A result with a period has vertices at least one period apart.
+/// Complaints about a periodic result: along an axis with a period, the result is at least a period
+/// wide.
 std::string complaintsAboutPeriod(const RemeshResult& r, const RemeshOptions& o)
 {
 	const double period[3] = {o.period.x, o.period.y, o.period.z};
@@ -203,7 +204,8 @@ std::string runDetect(const FuzzCase& c, const MeshView& view)
 	return complete ? "" : "arrays of another length";
 }
 
-/// Few vertices, and none so far off that splitting long edges makes thousands of faces.
+/// Makes a case small: few vertices, none so far off that splits of long edges make thousands of
+/// faces.
 void makeSmall(FuzzCase& c)
 {
 	RemeshOptions& o  = c.options;

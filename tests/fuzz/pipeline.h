@@ -12,7 +12,7 @@
 
 namespace gpr::test {
 
-/// One call of the engine, made of any bytes at all.
+/// A call of the engine, made from any bytes.
 struct FuzzCase {
 	enum class Tool { Remesh, Sample, Retriangulate, Detect };
 
@@ -23,20 +23,19 @@ struct FuzzCase {
 	Tool                      tool = Tool::Remesh;
 };
 
-/// How large what is made of bytes may be. Small cases take a tenth of the time in the mean, so
-/// that a fuzzer gets ten times as far; all that they leave out is size.
+/// The size of a case. Small cases take a tenth of the time in the mean, so a fuzzer gets ten times
+/// as far; only the size is smaller.
 enum class CaseSize { Any, Small };
 
-/// Vertices on a small whole-numbered grid, so that bytes that differ give corners in a line, faces
-/// one on the other, and coordinates that are equal.
+/// A case with vertices on a small grid of whole numbers: different bytes give corners in a line,
+/// faces at the same place, and equal coordinates.
 FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize = CaseSize::Any);
 
 /// A small case whose faces have labels, with junctions, matched borders and periods, all from the
 /// same bytes.
 FuzzCase caseOfParts(const std::uint8_t* data, std::size_t size);
 
-/// Runs it: what is wrong with the outcome, in words; empty where it is a sound result or a refusal
-/// that makes sense.
+/// Runs a case. Returns the faults of the outcome; empty for a sound result or a sensible refusal.
 std::string complaintsAbout(const FuzzCase& fuzzCase);
 
 } // namespace gpr::test

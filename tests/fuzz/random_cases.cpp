@@ -28,7 +28,7 @@ using gpr::test::Random;
 
 std::string mutated(std::string bytes, const std::string& other, Random& random)
 {
-	if (random.chance(0.2)) // the head of one, the tail of another
+	if (random.chance(0.2)) // the head of one file, the tail of another file
 		bytes = bytes.substr(0, std::size_t(random.below(int(bytes.size()) + 1))) +
 				other.substr(std::size_t(random.below(int(other.size()) + 1)));
 	const int changes = 1 << random.below(5);

@@ -13,8 +13,8 @@ namespace gpr::test {
 
 using Reader = app::InputMesh (*)(std::string_view);
 
-/// What is wrong with how a file was read, in words; empty where it is a mesh with all indices in
-/// range, or was refused as bad input with a sentence.
+/// The faults of reading a file; empty for a mesh with all indices in range, and for a refusal as
+/// bad input with a sentence.
 inline std::string complaintsAbout(Reader read, std::string_view file)
 {
 	if (file.empty()) return ""; // told before any reader is called

@@ -33,8 +33,8 @@ Sample randomSample(const HalfEdgeMesh& m, Random& random)
 	return {{p, f}, m.faceNormal(f)};
 }
 
-/// Adds the vertices of one disk, each with its exact distance; mean and above5Percent are sums
-/// meanwhile.
+/// Adds the vertices of a disk with their exact distances; meanwhile mean and above5Percent are
+/// sums.
 template <class Exact>
 void addDisk(const Exact& exact, const NearestField& field, double radius, Accuracy& sum)
 {
@@ -77,8 +77,8 @@ TriangleMesh halfPlane(int cellNum, double jitter, Random& random)
 	return mesh;
 }
 
-/// Whether a disk of that hyperbolic radius about p, with all shortest ways in it, lies in the
-/// part.
+/// Whether the part contains a disk of this hyperbolic radius about p, with all shortest ways in
+/// the disk.
 bool holdsDisk(const Vec3d& p, double radius)
 {
 	const double width = p.y * std::sinh(radius);

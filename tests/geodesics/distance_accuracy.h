@@ -10,23 +10,23 @@
 
 namespace gpr::test {
 
-/// Which distances are held against the exact ones.
+/// The distances to be compared with exact distances.
 enum class Metric {
-	Default,    ///< of the placement by disk intersection: chords where the disk is flat
-	BorderEdge, ///< of the paper's placement: unfolding everywhere
+	Default,    ///< the placement by disk intersection: chords on flat disks
+	BorderEdge, ///< the paper's placement: unfolding everywhere
 };
 
 /// Relative errors of distances over vertices: (computed - exact) / exact.
 struct Accuracy {
 	std::int64_t vertexNum     = 0;
-	std::int64_t unreachedNum  = 0; ///< nearer than 0.95 of the reach, yet not come to
+	std::int64_t unreachedNum  = 0; ///< nearer than 0.95 of the reach, but not reached
 	double       mean          = 0; ///< of the absolute values
 	double       largestOver   = 0; ///< too long by
 	double       largestUnder  = 0; ///< too short by; 0 or below
-	double       above5Percent = 0; ///< share of the vertices that are off by more than 5 %
+	double       above5Percent = 0; ///< share of the vertices with an error above 5 %
 };
 
-/// A surface as the sampling gets it for a target of so many percent, and the disk radius for it.
+/// A surface as prepared for a sampling with a target of `percent`, and its disk radius.
 struct Ground {
 	Surface surface;
 	float   radius = 0; ///< working units
@@ -38,10 +38,10 @@ struct Ground {
 Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int sourceNum,
 						 std::uint32_t seed);
 
-/// The same under a stretch of distances (eq. (4)), by unfolding: on a jittered grid of so many
+/// Accuracy under a stretch of distances (eq. (4)), by unfolding: on a jittered grid of cellNum
 /// cells a side, stretched by 1 / y over [0, 1] × [0.25, 1]. This is a part of the hyperbolic
-/// plane, whose distances are known in closed form. The disks have that radius and lie inside of
-/// the part; below 0.6 there are such.
+/// plane, with distances in closed form. The disks have the radius `radius`, below 0.6, and lie
+/// inside of the part.
 Accuracy measureUnderStretch(int cellNum, double radius, int sourceNum, std::uint32_t seed);
 
 } // namespace gpr::test

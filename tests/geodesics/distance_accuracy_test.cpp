@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The distances that the sampling goes by, up to twice the disk radius, against exact geodesics.
+// The distances of the sampling, up to twice the disk radius, compared with exact geodesics.
 
 #include "distance_accuracy.h"
 #include "distance_cases.h"
@@ -68,7 +68,7 @@ TEST_P(ModelSurface, DistancesAreThoseOfExactGeodesics)
 INSTANTIATE_TEST_SUITE_P(, ModelSurface, ::testing::ValuesIn(modelDistanceCases()),
 						 [](const auto& c) { return c.param.name; });
 
-/// The errors fall with the edges of the grid. The largest ones are next to the source.
+/// The errors fall with the edges of the grid. The largest errors are next to the source.
 TEST(UnderAStretch, DistancesAreThoseOfTheHyperbolicPlane)
 {
 	for (int cellNum : {20, 40, 80}) {

@@ -10,18 +10,18 @@
 
 namespace gpr::test {
 
-/// A surface to measure distances on, and what the errors must come to, as shares of the exact
+/// A surface for measuring distances, and the bands of the errors, as shares of the exact
 /// distances.
 struct DistanceCase {
 	std::string  name;
 	std::string  words; ///< for the page
 	TriangleMesh mesh;
-	double       percent    = 10;    ///< the disks are those of a target of so many percent
+	double       percent    = 10;    ///< target that decides the disk radius
 	double       maxMean    = 0.004; ///< mean error
 	double       maxLargest = 0.06;  ///< largest error, either way
 };
 
-/// Those made in code.
+/// Surfaces made in code.
 std::vector<DistanceCase> madeDistanceCases();
 /// Models of the folder GPR_MODELS_DIR: name, words and bands, without the mesh.
 std::vector<DistanceCase> modelDistanceCases();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints vcg_extras/docs/accuracy_of_distances.md, with the models of GPR_MODELS_DIR where it is
-// set:
+// Prints vcg_extras/docs/accuracy_of_distances.md, with the models of GPR_MODELS_DIR if set:
 //
 //   GPR_MODELS_DIR=... build/bin/gpr_distance_table > vcg_extras/docs/accuracy_of_distances.md
 #include "distance_accuracy.h"

@@ -19,7 +19,8 @@ using Mesh      = CGAL::Surface_mesh<Kernel::Point_3>;
 using Traits    = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Distances = CGAL::Surface_mesh_shortest_path<Traits>;
 
-/// The faces round a point, linked over edges, up to those that lie beyond a distance altogether.
+/// The faces round a point, linked over edges, as far as some part of the face is within a
+/// distance.
 std::vector<int> facesNear(const HalfEdgeMesh& m, const SurfacePoint& source, double within)
 {
 	const auto isNear = [&](int f) {
@@ -50,7 +51,7 @@ struct Piece {
 
 	Piece(const HalfEdgeMesh& m, const std::vector<int>& faces)
 	{
-		// A face that meets the others in a point so far has to wait for those between.
+		// A face with only a vertex in common so far has to wait for the faces between.
 		std::vector<int> left = faces;
 		while (!left.empty()) {
 			std::vector<int> later;

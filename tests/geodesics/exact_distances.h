@@ -10,15 +10,14 @@
 
 namespace gpr::test {
 
-/// Exact geodesic distances on the polyhedron from a point of it, by CGAL's
-/// Surface_mesh_shortest_path (Xin and Wang 2009). Only the faces that a way of that length can
-/// touch are looked at; on a larger piece the exact algorithm would take hours. Cost: about a
-/// second for 3000 faces.
+/// Exact geodesic distances on the polyhedron from a point, by CGAL's Surface_mesh_shortest_path
+/// (Xin and Wang 2009). Only faces within the distance `within` are used: on a larger piece the
+/// exact algorithm would take hours. Cost: about a second for 3000 faces.
 class ExactDistances {
 public:
 	ExactDistances(const HalfEdgeMesh& mesh, const SurfacePoint& source, double within);
 
-	/// Those of at most `within`, by vertex.
+	/// The distances of at most `within`, by vertex.
 	const std::map<int, double>& all() const { return distance_; }
 
 private:

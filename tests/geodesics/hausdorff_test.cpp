@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-// The kernel comes first: the header of the distances does not include all that it uses.
+// The kernel comes first: the header of the distances does not include all its needs.
 // clang-format off
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// gpr_cancel_latency MESH [PERCENT [PRESET [THREADS]]]: how long the engine goes without asking
-// whether to go on, and how long it takes to end when told to, for each phrase that it shows.
+// gpr_cancel_latency MESH [PERCENT [PRESET [THREADS]]]: for each phrase of the progress, the
+// longest time of the engine between two questions whether to go on, and the time from a refusal to
+// the end.
 
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/mesh_io.h>
@@ -33,7 +34,7 @@ struct Moment {
 	Moment operator-(const Moment& o) const { return {wall - o.wall, processor - o.processor}; }
 };
 
-/// What was seen while a phrase was shown; the phrase may come back later.
+/// Figures of the time in which a phrase was shown; the phrase may come back later.
 struct Phase {
 	std::string phrase;
 	double      seconds = 0;
@@ -48,7 +49,7 @@ public:
 	{
 	}
 
-	/// One run to its end.
+	/// A run to its end.
 	std::vector<Phase> observe()
 	{
 		std::vector<Phase> phases{{"(start)", 0, {}, 0}};
@@ -72,8 +73,8 @@ public:
 		return phases;
 	}
 
-	/// Seconds from a refusal to the end; the refusal comes when the k-th phase was asked n times,
-	/// or in any later one; -1 where the run was faster and asked less often.
+	/// Seconds from a refusal to the end. The refusal comes at question n of entry k of the
+	/// phrases, or at a later entry; -1 if the run ended before.
 	Moment cancel(std::size_t k, int n)
 	{
 		std::size_t phase = 0;

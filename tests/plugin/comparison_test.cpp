@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filter "Compare: Geodesic Poisson Disk vs Quadric Edge Collapse", called as MeshLab calls it.
+// The filter "Compare: Geodesic Poisson Disk vs Quadric Edge Collapse", called as by MeshLab.
 
 #include "host.h"
 #include "mesh_bridge.h"
@@ -28,7 +28,7 @@ gpr_filter::LayerCopy copyOf(Document& document, int layer)
 	return gpr_filter::copyLayer(document.layer(layer).cm, {});
 }
 
-/// What meshes have that the filter must not touch.
+/// Expects an untouched ball.
 void expectLikeBall(MeshModel& layer)
 {
 	Document   other;
@@ -122,7 +122,7 @@ TEST(CompareFilter, ColouredByDistanceOnOneScale)
 	vcg::Color4b there;
 	for (int i = 1; i <= 2; ++i) {
 		for (const CFaceO& f : document.layer(i).cm.face) {
-			// Nothing of 500 vertices is farther from a ball than that.
+			// With 500 vertices, all distances from a ball are lower.
 			ASSERT_LT(f.cQ(), 0.05);
 			if (f.cQ() > largest) there = f.cC();
 			largest = std::max(largest, f.cQ());
@@ -162,7 +162,7 @@ TEST(CompareFilter, LogHasTheTable)
 	EXPECT_TRUE(log.contains("Euler characteristic 2 2 2"));
 }
 
-/// Applies the filter, which must refuse and leave everything as it is.
+/// Applies the filter; expects a refusal that leaves everything unchanged.
 void expectRefusal(Document& document, const RichParameterList& list, const char* words,
 				   vcg::CallBackPos* progress = nullptr)
 {

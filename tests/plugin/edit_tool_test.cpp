@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What of the edit tool needs no window: its worker, and the commands that it writes.
+// The parts of the edit tool without a window: its worker, and the commands of its recipe.
 
 #include "edit/preview_worker.h"
 #include "edit/recipe.h"
@@ -42,7 +42,7 @@ Values someValues()
 		{"Features", std::int64_t(2)},          {"SewSeams", false},         {"NewLayer", false}};
 }
 
-/// A panel for a layer of 5000 vertices, as its user handles it.
+/// A panel for a layer of 5000 vertices, with the actions of a user.
 struct Panel {
 	gpr_filter::RemeshPanel panel;
 
@@ -253,7 +253,8 @@ TEST(PreviewWorker, MakesDraftsThenMeasuresThenCompares)
 	EXPECT_NEAR(double(news.quadric->size() / 3), 796, 2);
 }
 
-/// Of many requests in a row only the last one is sure to be answered, and nothing old comes after.
+/// Of many requests in a row only the last request surely gets an answer, and no older answer
+/// follows.
 TEST(PreviewWorker, ANewRequestEndsTheOldOne)
 {
 	PreviewWorker worker(ballCopy());
@@ -286,7 +287,7 @@ double secondsOf(const Work& work)
 	return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The worker goes amid a run: long before that would be done.
+/// The worker ends amid a run, long before the end of the run.
 TEST(PreviewWorker, EndsAmidARun)
 {
 	const auto           layer = ballCopy();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filter "Feature Detection: Second-Order Difference", called as MeshLab calls it.
+// The filter "Feature Detection: Second-Order Difference", called as by MeshLab.
 
 #include "host.h"
 
@@ -43,7 +43,7 @@ bool detect(Document& document)
 	return apply(document, filter, defaults(document, filter));
 }
 
-/// Fails where another vertex than those of the ridge is selected.
+/// Expects that exactly the vertices of the ridge are selected.
 void expectRidgeSelected(const CMeshO& mesh)
 {
 	int vertexNum = 0;
@@ -122,7 +122,7 @@ TEST(FeatureFilter, SelectionIsARegionForTheRemeshing)
 		ASSERT_EQ(copy.selected[v] != 0, onRidge(roof.cm.vert[v])) << v;
 }
 
-/// Of the faces near the plane of the ridge, or far from it.
+/// The mean area of the faces near the plane of the ridge, or far from the plane.
 double meanFaceArea(const CMeshO& mesh, bool nearRidge)
 {
 	double area = 0;
@@ -137,7 +137,7 @@ double meanFaceArea(const CMeshO& mesh, bool nearRidge)
 	return area / num;
 }
 
-/// As a new user clicks it: what the dialogs propose, one filter after the other.
+/// The proposals of the dialogs, one filter after the other.
 TEST(FeatureFilter, RemeshingAfterwardsIsDenserAtTheFeatures)
 {
 	Document   document;

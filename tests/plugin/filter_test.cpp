@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filter, called as MeshLab calls it.
+// The remeshing filter, called as by MeshLab.
 
 #include "host.h"
 #include "mesh_bridge.h"
@@ -103,7 +103,7 @@ TEST(Filter, LogHasTheDistancesThatTheCheckMeasures)
 	}
 }
 
-/// Gives the faces on the left vertices of their own where they meet those on the right.
+/// Cuts a mesh in two: left and right faces get separate vertices.
 void cutInTwo(CMeshO& mesh)
 {
 	const auto isLeft = [&](CFaceO& f) {
@@ -317,7 +317,7 @@ void markDisk(MeshModel& sheet)
 	}
 }
 
-/// The area of the red faces, which are those of quality 7.
+/// The area of the red faces, the faces of quality 7.
 double redArea(const CMeshO& mesh)
 {
 	double area = 0;
@@ -458,7 +458,7 @@ TEST(Filter, VertexQualityThatIsNoSizeIsRefused)
 	EXPECT_TRUE(document.logText().contains("not above 0"));
 }
 
-/// Vertices on one side of the sheet, by the coordinate along it.
+/// Vertices on a side of the sheet, by the coordinate along the side.
 std::vector<Scalarm> alongSide(const CMeshO& mesh, Scalarm x)
 {
 	std::vector<Scalarm> along;
@@ -481,7 +481,7 @@ TEST(Filter, SidesOfAPeriodicSheetMatch)
 	EXPECT_FALSE(apply(document, list));
 }
 
-/// Two sheets cross: four faces at each edge where they meet.
+/// Two sheets cut each other: four faces at each common edge.
 TEST(Filter, JunctionsAreKept)
 {
 	Document   document;
@@ -591,7 +591,7 @@ TEST(Filter, DeletedElementsAreSkipped)
 {
 	Document   document;
 	MeshModel& sheet = addSheet(document);
-	// The row of faces along one side goes, and a vertex there with them.
+	// Deletes the row of faces along one side, and the vertices of these faces alone.
 	for (CFaceO& f : sheet.cm.face) {
 		if (vcg::Barycenter(f)[0] < 0.02) vcg::tri::Allocator<CMeshO>::DeleteFace(sheet.cm, f);
 	}

@@ -17,9 +17,9 @@
 
 namespace plugin_test {
 
-/// The plugin as MeshLab's plugin manager loaded it.
+/// The plugin from MeshLab's plugin manager.
 PluginInterface& plugin();
-/// The plugin's filter that stands for a tool.
+/// The action of a filter of the plugin.
 QAction* actionOf(gpr_filter::Filter filter);
 
 /// A document with a log that goes to the plugin, as in the real hosts.
@@ -38,8 +38,8 @@ private:
 	MeshDocument _document;
 };
 
-/// Adds a closed ball of about 10,000 vertices with vertex colour and quality that are linear in
-/// the position: colour = 128 + 100 p in each channel, quality = z.
+/// Adds a closed ball of about 10,000 vertices. Vertex colour and quality are linear in the
+/// position: colour = 128 + 100 p in each channel, quality = z.
 MeshModel& addBall(Document& document);
 /// Adds a square sheet of 51 x 51 vertices in z = 0.
 MeshModel& addSheet(Document& document);
@@ -56,13 +56,13 @@ bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* 
 bool apply(Document& document, gpr_filter::Filter filter, const RichParameterList& list,
 		   vcg::CallBackPos* progress = nullptr);
 
-/// What the last call told the user; empty when it did what it should.
+/// The message of the last call to the user; empty after a success.
 QString errorText();
 
-/// Fails where a mesh has deleted elements, faces out of range, stale normals or a stale box.
+/// Fails for a mesh with deleted elements, faces out of range, stale normals or a stale box.
 void expectSoundMesh(CMeshO& mesh);
 
-/// Everything of the current layer, and of the document, that a failing filter must leave alone.
+/// The state of the current layer and of the document: a failing filter must not change this state.
 class Snapshot {
 public:
 	explicit Snapshot(Document& document);

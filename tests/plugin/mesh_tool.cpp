@@ -6,18 +6,18 @@
 //                                        quality from 0 below to 1 above, some vertices and faces
 //                                        selected
 //   plugin_mesh_tool regions OUT.ply     the same torus with labels as the quality of its faces
-//   plugin_mesh_tool labels A.ply B.ply  ends with 0 where the quality of all faces is the same
+//   plugin_mesh_tool labels A.ply B.ply  ends with 0 if the quality of all faces is the same
 //   plugin_mesh_tool sized OUT.ply       the same torus with edge lengths as the vertex quality
 //   plugin_mesh_tool scan OUT.ply N      the same torus with 2 N x N vertices and nothing else
 //   plugin_mesh_tool roof OUT.ply        two square sheets of 41 x 41 vertices at a right angle
-//   plugin_mesh_tool ridge OUT.ply       the vertices where they meet
-//   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
-//   plugin_mesh_tool marks A.ply B.ply   ends with 0 where quality and selection of all vertices
+//   plugin_mesh_tool ridge OUT.ply       the common vertices of both sheets
+//   plugin_mesh_tool same A.ply B.ply    ends with 0 if coordinates and faces are the same bits
+//   plugin_mesh_tool marks A.ply B.ply   ends with 0 if quality and selection of all vertices
 //                                        are the same
 //   plugin_mesh_tool count A.ply         prints the number of vertices
 //   plugin_mesh_tool selected A.ply      prints the numbers of selected vertices and faces
-//   plugin_mesh_tool within A.ply B.ply D   ends with 0 where every vertex of A is at most D away
-//                                           from one of B
+//   plugin_mesh_tool within A.ply B.ply D   ends with 0 if every vertex of A is at most D away
+//                                           from a vertex of B
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ int main(int argc, char** argv)
 	}
 	if (task == "regions" && argc == 3) {
 		makeTorus(a, 160, 80);
-		for (ToolFace& f : a.face) // two bands and what is between them
+		for (ToolFace& f : a.face) // two bands and the faces between
 			f.Q() = std::floor(1.99f * f.P(0)[0]);
 		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2],
 														 vcg::tri::io::Mask::IOM_FACEQUALITY) == 0

@@ -124,7 +124,7 @@ TEST(Parameters, PercentAndLengthTakeTheCountsPlace)
 	RichParameterList list = tableList();
 	list.setValue("TargetPerc", FloatValue(Scalarm(12.3)));
 	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::Percent);
-	EXPECT_EQ(read(list).values.options().targetPercent, 12.3); // as --percent 12.3 gives it
+	EXPECT_EQ(read(list).values.options().targetPercent, 12.3); // as for --percent 12.3
 	list = tableList();
 	list.setValue("TargetLen", AbsPercValue(Scalarm(0.05)));
 	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::EdgeLength);
@@ -151,7 +151,7 @@ TEST(Parameters, MissingIsTheDefault)
 {
 	const gpr_filter::ReadParameters none = read(RichParameterList());
 	ASSERT_TRUE(none.complaints.empty()) << none.complaints.front();
-	EXPECT_EQ(none.values.options().targetVertexNum, 100); // 10 % of what facts() has
+	EXPECT_EQ(none.values.options().targetVertexNum, 100); // 10 % of the vertices of facts()
 	RichParameterList list;
 	list.addParam(RichInt("RelaxIter", 3));
 	EXPECT_EQ(read(list).values.options().umbrellaSteps, 3);
@@ -177,7 +177,7 @@ TEST(Parameters, TypedNumberIsTheDecimalOne)
 	EXPECT_TRUE(std::isnan(gpr_filter::typedNumber(std::numeric_limits<float>::quiet_NaN())));
 }
 
-/// A number that no user would give stands for it, in both directions.
+/// A number of no other use means 'auto', in both directions.
 TEST(Parameters, TheAutomaticAdaptivityIsANumberOfItsOwn)
 {
 	RichParameterList list = tableList();
@@ -251,7 +251,7 @@ void expectCompleteScript(gpr_filter::Filter filter)
 	EXPECT_TRUE(read(inScript, filter).complaints.empty());
 }
 
-// meshlabserver aborts on a script in which one parameter is missing.
+// meshlabserver aborts on a script with a missing parameter.
 TEST(Parameters, ShippedScriptsAreComplete)
 {
 	for (gpr_filter::Filter filter : filters) {
@@ -259,7 +259,7 @@ TEST(Parameters, ShippedScriptsAreComplete)
 	}
 }
 
-/// The number of vertices is what a user edits: nothing else in the script may override it.
+/// A user edits the number of vertices: no other parameter of the script may override this number.
 TEST(Parameters, ShippedScriptsAskForTheDefaults)
 {
 	for (gpr_filter::Filter filter : filters) {

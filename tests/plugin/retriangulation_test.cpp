@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filter "Remeshing: Retriangulate from Samples", called as MeshLab calls it.
+// The filter "Remeshing: Retriangulate from Samples", called as by MeshLab.
 
 #include "host.h"
 

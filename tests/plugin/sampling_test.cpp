@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filter "Sampling: Geodesic Poisson Disk", called as MeshLab calls it.
+// The filter "Sampling: Geodesic Poisson Disk", called as by MeshLab.
 
 #include "host.h"
 
@@ -51,7 +51,7 @@ TEST(SamplingFilter, PointsAreTheEngines)
 	}
 }
 
-/// Where density varies, so do the disks; each point has its own.
+/// With a varying density, each point has its disk radius as its quality.
 TEST(SamplingFilter, QualityIsEachPointsOwnRadius)
 {
 	Document   document;
@@ -87,7 +87,7 @@ TEST(SamplingFilter, NewLayerOfPoints)
 	EXPECT_TRUE(added.hasDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR));
 	EXPECT_NEAR(added.cm.bbox.max[2], 1, 0.1);
 	EXPECT_TRUE(document.logText().contains("points"));
-	// The ball itself is as it was.
+	// The ball is unchanged.
 	removeLayer(*document, &added);
 	document->setCurrentMesh(ball.id());
 	EXPECT_TRUE(before == Snapshot(document));

@@ -41,7 +41,7 @@ std::vector<std::pair<int, int>> neighbours(const TriangleMesh& mesh)
 	return pairs;
 }
 
-/// The labels of connected parts of the same label, ascending.
+/// The labels of components of the same label, ascending.
 std::vector<std::int32_t> piecesOf(const TriangleMesh& mesh, const Labels& label)
 {
 	std::vector<int> parent(mesh.faceNum());

@@ -41,13 +41,13 @@ struct Band {
 	double angle;       ///< smallest, degrees
 	double valence6;    ///< % of the vertices
 	// at most
-	double   below30;   ///< % of the triangles have a smaller angle
-	double   inverted;  ///< faces against the surface
-	double   rms;       ///< % of the diagonal, the larger of both ways; so are the next two
-	double   p999;      ///< 99.9 % of the surface is nearer
-	double   hausdorff; ///< proven
-	double   rim;       ///< largest distance of the borders in mean edges, both ways
-	double   creases; ///< largest distance from the input's sharp edges to the result's, mean edges
+	double below30;   ///< % of the triangles have a smaller angle
+	double inverted;  ///< faces against the surface
+	double rms;       ///< % of the diagonal, the larger of both ways; so are the next two
+	double p999;      ///< 99.9 % of the surface is nearer
+	double hausdorff; ///< proven
+	double rim;       ///< largest distance of the borders in mean edges, both ways
+	double creases; ///< largest distance from the input's crease edges to the result's, mean edges
 	unsigned traits;
 };
 
@@ -57,7 +57,7 @@ std::ostream& operator<<(std::ostream& out, const Band& band);
 std::vector<Band> bands();
 
 /// Sets options by the words of a row: "fast" and "paper" (presets), "even" and "adapt1" (adapt 0
-/// and 1), "keep", "free" and "smooth" (borders), "lines" (every sharp edge is a feature line),
+/// and 1), "keep", "free" and "smooth" (borders), "lines" (every crease edge is a feature line),
 /// "region" (a detected feature region). "open" is no option, see isOpened. Throws std::logic_error
 /// for another word.
 void applyWords(const char* words, RemeshOptions& options);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The paper's feature preservation on a CAD part and on a scan, without feature lines: the sharp
+// The paper's feature preservation on a CAD part and on a scan, without feature lines: the crease
 // edges of the input come nearer to the result (§3.1.1 manual, §3.1.2 automatic). Skipped without
 // GPR_MODELS_DIR.
 
@@ -45,7 +45,7 @@ protected:
 		options.threads       = 2;
 	}
 
-	/// Root mean square distance from the ends and middles of sharp edges to the result.
+	/// Root mean square distance from the ends and middles of crease edges to the result.
 	double distance() const
 	{
 		const RemeshResult r = remesh(mesh.view(), options);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a torus as the OFF file OUT and ends with 0 where 300 vertices were asked for and came.
+// Writes a torus as the OFF file OUT and remeshes the torus; ends with 0 if the result has the
+// wanted 300 vertices.
 #include <vcg_extras/core/remesh.h>
 
 #include <cmath>

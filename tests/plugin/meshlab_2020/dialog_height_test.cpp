@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The dialog of many parameters, held against a model of MeshLab 2020.09's.
+// The dialog of many parameters, compared with a model of the dialog of MeshLab 2020.09.
 
 #include "dialog_height.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kAllRows = 1000; // none is for experts
 
-/// What MeshlabStdDialog::loadFrameContent() builds.
+/// The widgets of MeshlabStdDialog::loadFrameContent().
 class HostDialog {
 public:
 	explicit HostDialog(int rowNum) : _dialog("Plugin", &_window)
@@ -108,7 +108,7 @@ int maxHeight()
 					QApplication::primaryScreen()->availableGeometry().height());
 }
 
-/// As far as a window shows it.
+/// Whether a window shows the whole part.
 bool isInside(const QWidget& part, const QWidget& window)
 {
 	const QRect place(part.mapTo(&window, QPoint(0, 0)), part.size());
@@ -159,7 +159,7 @@ TEST(DialogHeight, TwiceIsOnce)
 	EXPECT_EQ(host.window().findChildren<QScrollArea*>().size(), 1);
 }
 
-// A slow window manager sets the full height that it was asked for at first.
+// A slow window manager may set the full height of the first request later.
 TEST(DialogHeight, ResizedBeyondTheScreenComesBack)
 {
 	HostDialog host(40);
@@ -197,7 +197,7 @@ TEST(DialogHeight, TheWheelScrollsAndChangesNoValue)
 	EXPECT_EQ(host.choice->currentIndex(), 0);
 }
 
-/// Of the rows' values, how many are shown, and whether those come first.
+/// The number of shown values; fails if shown values are not the first values.
 int shownRowNum(const HostDialog& host)
 {
 	int num = 0;

@@ -3,7 +3,7 @@
 #ifndef TESTS_PLUGIN_HOST_API_H
 #define TESTS_PLUGIN_HOST_API_H
 
-// What the tests ask of MeshLab and what has another name or form in other versions: 2020.09.
+// The parts of MeshLab's interface with another name or form in other versions: 2020.09.
 
 #include <common/interfaces.h>
 
@@ -11,13 +11,13 @@ namespace plugin_test {
 
 using PluginInterface = MeshFilterInterface;
 
-/// The plugin as MeshLab's plugin manager loaded it, and its filter of a name.
+/// The plugin from MeshLab's plugin manager, and its filter of a name.
 PluginInterface& loadedPlugin();
 QAction*         loadedAction(const char* name);
 
 RichParameterList defaultsOf(QAction* action, MeshDocument& document);
 
-/// Applies a filter; false, with a text for the user, where it failed.
+/// Applies a filter; false after a failure, with a text for the user.
 bool applyAction(QAction* action, MeshDocument& document, const RichParameterList& list,
 				 vcg::CallBackPos* progress, QString& errorText);
 

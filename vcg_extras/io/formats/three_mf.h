@@ -15,12 +15,12 @@ namespace gpr::app {
 /// Whether this build has the library.
 bool hasThreeMf();
 
-/// Reads the triangles of everything that the file builds as one mesh, each part where it is built.
+/// Reads the triangles of all objects that the file builds as one mesh, each object at its place.
 /// Coordinates are floats, in the unit of the file. Throws AppError (BadInput).
 InputMesh readThreeMf(std::string_view file);
 
-/// Writes one object that is built, with about seven digits. The format's unit stays millimetres.
-/// Throws AppError (Failure).
+/// Writes a single object with about seven digits. The format's unit stays millimetres. Throws
+/// AppError (Failure).
 void writeThreeMf(const TriangleMesh& mesh, OutputFile& out);
 
 } // namespace gpr::app
