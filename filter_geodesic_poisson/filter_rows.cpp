@@ -41,6 +41,16 @@ Parameter ownRow(const char* key, ParameterKind kind, const char* label, const c
 	return row;
 }
 
+/// A row of MeshLab's own with named choices; the first choice is the default.
+Parameter choiceRow(const char* key, const char* label, const char* help,
+					decltype(Parameter::choices) choices)
+{
+	Parameter row = ownRow(key, ParameterKind::Choice, label, help);
+	row.maximum   = double(choices.size()) - 1;
+	row.choices   = std::move(choices);
+	return row;
+}
+
 Parameter sampleLayer()
 {
 	Parameter row =
@@ -66,29 +76,23 @@ Parameter newLayer()
 
 Parameter regions()
 {
-	Parameter row =
-		ownRow("Regions", ParameterKind::Choice, "Regions",
-			   "The attribute of faces with the labels of regions, such as materials or "
-			   "patches. Edges of the result follow region borders, and the faces of the "
-			   "result get the labels. off: no regions. texture: the index of the "
-			   "texture. colour: the colour of the faces; each colour is a region. "
-			   "quality: the quality of the faces, in whole numbers.");
-	row.choices = {"off", "texture", "colour", "quality"};
-	row.maximum = 3;
-	return row;
+	return choiceRow("Regions", "Regions",
+					 "The attribute of faces with the labels of regions, such as materials or "
+					 "patches. Edges of the result follow region borders, and the faces of the "
+					 "result get the labels. off: no regions. texture: the index of the "
+					 "texture. colour: the colour of the faces; each colour is a region. "
+					 "quality: the quality of the faces, in whole numbers.",
+					 {"off", "texture", "colour", "quality"});
 }
 
 Parameter qualitySizes()
 {
-	Parameter row =
-		ownRow("QualitySizes", ParameterKind::Choice, "Sizes from the vertex quality",
-			   "Use of the vertex quality as wanted edge length. off: no use. exact: "
-			   "the quality is the length in mesh units, and decides the number of "
-			   "vertices. scaled: one factor scales all lengths to the wanted number of "
-			   "vertices or other size. The quality must be above 0.");
-	row.choices = {"off", "exact", "scaled"};
-	row.maximum = 2;
-	return row;
+	return choiceRow("QualitySizes", "Sizes from the vertex quality",
+					 "Use of the vertex quality as wanted edge length. off: no use. exact: "
+					 "the quality is the length in mesh units, and decides the number of "
+					 "vertices. scaled: one factor scales all lengths to the wanted number of "
+					 "vertices or other size. The quality must be above 0.",
+					 {"off", "exact", "scaled"});
 }
 
 Parameter period(const char* key, const char* label)
@@ -115,15 +119,13 @@ Rows expertRowsOf(Filter filter)
 
 Parameter colorBy()
 {
-	Parameter row = ownRow("ColorBy", ParameterKind::Choice, "Colour by",
-						   "The meaning of the colours of both results, on a common scale. "
-						   "quality: 2 inradius / circumradius of each face, from red (0) over "
-						   "green to blue (1, equilateral). distance: the distance of each face "
-						   "from the input, from blue (0) to red (the largest distance of both). "
-						   "The quality of the faces is the same figure.");
-	row.choices   = {"quality", "distance", "nothing"};
-	row.maximum   = 2;
-	return row;
+	return choiceRow("ColorBy", "Colour by",
+					 "The meaning of the colours of both results, on a common scale. "
+					 "quality: 2 inradius / circumradius of each face, from red (0) over "
+					 "green to blue (1, equilateral). distance: the distance of each face "
+					 "from the input, from blue (0) to red (the largest distance of both). "
+					 "The quality of the faces is the same figure.",
+					 {"quality", "distance", "nothing"});
 }
 
 Parameter sideBySide()
