@@ -52,7 +52,7 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape)
 std::size_t crossingNum(const TriangleMesh& mesh)
 {
 	Workers workers(2, nullptr);
-	return findTouchingFaces(halfEdgesOf(mesh), workers).size();
+	return facesOf(findTouchingPairs(halfEdgesOf(mesh), workers)).size();
 }
 
 } // namespace

@@ -254,6 +254,21 @@ TEST(KnownContacts, AreThoseOfASearchFromNothing)
 	EXPECT_GT(touching, 100);
 }
 
+/// A mesh loses its second half and gets this half back: the contacts come back, too.
+TEST(KnownContacts, ComeBackWithFacesThatComeBack)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh sphere = icosphere(2);
+	const HalfEdgeMesh whole  = halfEdgesOf(joined(sphere, shifted(sphere, {0.5, 0, 0})));
+	const HalfEdgeMesh half   = halfEdgesOf(sphere);
+	const auto         all    = findTouchingPairs(whole, workers);
+	ASSERT_FALSE(all.empty());
+	KnownContacts known;
+	EXPECT_EQ(known.find(whole, workers), all);
+	EXPECT_TRUE(known.find(half, workers).empty());
+	EXPECT_EQ(known.find(whole, workers), all);
+}
+
 /// A face of half a symmetric mesh may lie on the mirror plane with its border only.
 TEST(KnownContacts, FacesThatReachTheMirrorImageArePairedWithThemselves)
 {

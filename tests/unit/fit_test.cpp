@@ -90,7 +90,7 @@ TEST(IntersectingFaces, AreFoundWhereTwoSpheresMeet)
 	Workers                workers(2, nullptr);
 	const TriangleMesh     both  = joined(icosphere(3), shifted(icosphere(3), {1, 0.01, 0.02}));
 	const HalfEdgeMesh     m     = halfEdgesOf(both);
-	const std::vector<int> found = findTouchingFaces(m, workers);
+	const std::vector<int> found = facesOf(findTouchingPairs(m, workers));
 	// The circle they meet in lies at x = ½ and has a radius of ½√3; an edge is about 0.14 long.
 	EXPECT_GT(found.size(), 2 * 3.14 * 0.86 / 0.14);
 	for (int f : found) {
@@ -105,7 +105,7 @@ TEST(IntersectingFaces, AreNotThoseThatShareEdgesOrVertices)
 	Random  random(1);
 	for (const TriangleMesh& mesh : {icosphere(4), torus(60, 30), jitteredGrid(40, 0.3, random),
 									 cube(8), thinPlate(10, 0.001), twoSheets(20, 1e-4)})
-		EXPECT_TRUE(findTouchingFaces(halfEdgesOf(mesh), workers).empty());
+		EXPECT_TRUE(findTouchingPairs(halfEdgesOf(mesh), workers).empty());
 }
 
 TEST(IntersectingFaces, AreFoundBeyondASharedVertex)
@@ -116,9 +116,9 @@ TEST(IntersectingFaces, AreFoundBeyondASharedVertex)
 	mesh.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 	Workers      workers(1, nullptr);
 	HalfEdgeMesh m = halfEdgesOf(mesh);
-	EXPECT_EQ(findTouchingFaces(m, workers), (std::vector<int>{0, 2}));
+	EXPECT_EQ(facesOf(findTouchingPairs(m, workers)), (std::vector<int>{0, 2}));
 	m.position[3] = {1, 0, 0.5f};
-	EXPECT_TRUE(findTouchingFaces(m, workers).empty());
+	EXPECT_TRUE(findTouchingPairs(m, workers).empty());
 }
 
 // ---- the closest-face map
@@ -320,9 +320,9 @@ TEST(Fit, DoesNotCrossAnotherSheet)
 	ASSERT_GT(highest, 1.2 * gap);
 
 	Laid both(joined(fine, lid), joined(coarse, above));
-	ASSERT_TRUE(findTouchingFaces(both.result.mesh, both.workers).empty());
+	ASSERT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
 	both.fit(0);
-	EXPECT_TRUE(findTouchingFaces(both.result.mesh, both.workers).empty());
+	EXPECT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
 	EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
 }
 
@@ -570,13 +570,13 @@ TEST(SmallAngles, RaisesMostOfThemAndKeepsTheDistance)
 	const double       error  = laid.rms();
 	const int          poor   = numBelow(laid, 30);
 	ASSERT_GT(poor, 20);
-	ASSERT_TRUE(findTouchingFaces(laid.result.mesh, laid.workers).empty());
+	ASSERT_TRUE(findTouchingPairs(laid.result.mesh, laid.workers).empty());
 	EXPECT_TRUE(raiseAngles(laid, 32));
 	EXPECT_LT(numBelow(laid, 30), 0.3 * poor);
 	EXPECT_LT(laid.rms(), 1.05 * error);
 	EXPECT_TRUE(isSoundTable(laid.result.mesh));
 	EXPECT_TRUE(hasSameTopology(meshOf(laid.result.mesh), before));
-	EXPECT_TRUE(findTouchingFaces(laid.result.mesh, laid.workers).empty());
+	EXPECT_TRUE(findTouchingPairs(laid.result.mesh, laid.workers).empty());
 }
 
 TEST(SmallAngles, LeavesBordersAndPinnedVerticesAlone)
@@ -654,7 +654,7 @@ TEST(LargeAngles, LowersMostOfThemAndNoSmallOneFallsFurther)
 	EXPECT_GE(smallestOf(laid), worst);
 	EXPECT_LT(laid.rms(), 1.05 * error);
 	EXPECT_TRUE(hasSameTopology(meshOf(laid.result.mesh), before));
-	EXPECT_TRUE(findTouchingFaces(laid.result.mesh, laid.workers).empty());
+	EXPECT_TRUE(findTouchingPairs(laid.result.mesh, laid.workers).empty());
 }
 
 /// Every fourth vertex of the side y = 0 of a square lies close to the next vertex.

@@ -69,7 +69,7 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	EXPECT_EQ(on.result.mesh.vertexNum, before + added);
 	EXPECT_EQ(on.result.splitNum, added);
 	EXPECT_LT(added, before) << "only near the tent";
-	EXPECT_TRUE(findTouchingFaces(on.result.mesh, on.workers).empty());
+	EXPECT_TRUE(findTouchingPairs(on.result.mesh, on.workers).empty());
 	EXPECT_TRUE(isSoundTable(on.result.mesh));
 }
 

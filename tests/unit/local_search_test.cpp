@@ -335,13 +335,13 @@ TEST(LocalSearch, MovesNoFaceThroughAnother)
 	};
 	OnSurface   on(both);
 	const float free = drawTop(on, false);
-	ASSERT_FALSE(findTouchingFaces(on.m(), on.workers).empty()) << "else nothing is tested";
+	ASSERT_FALSE(findTouchingPairs(on.m(), on.workers).empty()) << "else nothing is tested";
 
 	OnSurface   guarded(both);
 	const float way = drawTop(guarded, true);
 	EXPECT_GT(way, 0) << "as far as it may";
 	EXPECT_LT(way, free);
-	EXPECT_TRUE(findTouchingFaces(guarded.m(), guarded.workers).empty());
+	EXPECT_TRUE(findTouchingPairs(guarded.m(), guarded.workers).empty());
 }
 
 TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
@@ -381,7 +381,7 @@ TEST(CountTouchingPairs, AgreesWithTheSearchOverAllFaces)
 	for (std::size_t v = 0; v < sheets.positions.size(); v += 7)
 		sheets.positions[v].z += v < sheets.positions.size() / 2 ? 0.08 : -0.08;
 	const HalfEdgeMesh     m     = halfEdgesOf(sheets);
-	const std::vector<int> found = findTouchingFaces(m, workers);
+	const std::vector<int> found = facesOf(findTouchingPairs(m, workers));
 	ASSERT_FALSE(found.empty());
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);

@@ -612,7 +612,7 @@ TEST(Plan, TakesMoreVerticesForSheetsThatWouldIntersect)
 {
 	const PlannedRun run = runWithSheets(wish(500), 700);
 	EXPECT_TRUE(run.isTaken());
-	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 625, 781}));
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 750}));
 	EXPECT_TRUE(run.says("With 500 vertices sheets that meet in junctions would intersect"));
 	EXPECT_EQ(run.told.size(), 1u);
 }
@@ -621,8 +621,8 @@ TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
 {
 	const PlannedRun run = runWithSheets(wish(500), 1000000);
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.attempts.size(), 13u);
-	EXPECT_LE(run.attempts.back().vertexNum, 16 * 500);
+	EXPECT_EQ(run.attempts.size(), 6u);
+	EXPECT_LE(run.attempts.back().vertexNum, 8 * 500);
 }
 
 /// Sheets at one place get more and more vertices, which do not help.
@@ -639,7 +639,7 @@ TEST(Plan, RefusesACountAtWhichSheetsIntersect)
 {
 	const PlannedRun byVertices = runWithSheets(order(500), 700);
 	ASSERT_TRUE(byVertices.failure);
-	EXPECT_TRUE(byVertices.says("or about 625 vertices, are needed"));
+	EXPECT_TRUE(byVertices.says("or about 750 vertices, are needed"));
 	const PlannedRun byFaces = runWithSheets(faces(50000), 1000000);
 	ASSERT_TRUE(byFaces.failure);
 	EXPECT_TRUE(byFaces.says("With 50000 faces sheets"));

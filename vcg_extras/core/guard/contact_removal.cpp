@@ -103,14 +103,6 @@ void append(const HalfEdgeMesh& from, const Components& components, const std::v
 	to.vertexNum = vertexNum;
 }
 
-std::vector<int> facesOf(const std::vector<FacePair>& pairs)
-{
-	std::vector<int> faces;
-	for (const FacePair& pair : pairs)
-		faces.insert(faces.end(), {pair.first, pair.second});
-	return faces;
-}
-
 /// Makes components of the result anew.
 class Replacement {
 public:

@@ -59,9 +59,10 @@ InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& resu
 							 const std::vector<FacePair>& pairs, float distance, Workers& workers) :
 		distance_(distance)
 {
+	// Boxes of faces, since a few faces may have very many pairs.
 	std::vector<Box<float>> places;
-	for (const FacePair& pair : pairs)
-		places.push_back(surroundings(result, pair));
+	for (int f : facesOf(pairs))
+		places.push_back(surroundings(result, f));
 	const HalfEdgeMesh     diagonals = diagonalsOf(places);
 	const FaceBoxes        tree(diagonals, workers);
 	const std::vector<int> nearFaces = workers.collectIf(std::size_t(input.faceNum), [&](int f) {
@@ -73,18 +74,15 @@ InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& resu
 	pairNum_                          = std::int64_t(found.size());
 	if (found.empty()) return;
 	std::vector<Box<float>> boxes;
-	for (const FacePair& pair : found) {
-		boxes.push_back(boxOfFace(near, pair.first));
-		boxes.push_back(boxOfFace(near, pair.second));
-	}
+	for (int f : facesOf(found))
+		boxes.push_back(boxOfFace(near, f));
 	touching_ = std::make_unique<FaceBoxes>(diagonalsOf(boxes), workers);
 }
 
-Box<float> InputContacts::surroundings(const HalfEdgeMesh& result, const FacePair& pair) const
+Box<float> InputContacts::surroundings(const HalfEdgeMesh& result, int f) const
 {
-	Box<float> box = boxOfFace(result, pair.first);
-	box += boxOfFace(result, pair.second);
-	const Vec3f margin(distance_, distance_, distance_);
+	const Box<float> box = boxOfFace(result, f);
+	const Vec3f      margin(distance_, distance_, distance_);
 	return {box.low - margin, box.high + margin};
 }
 
@@ -92,12 +90,14 @@ std::vector<FacePair> InputContacts::withoutInputs(const HalfEdgeMesh&          
 												   const std::vector<FacePair>& pairs) const
 {
 	if (!touching_) return pairs;
-	const auto isNear = [&](const FacePair& pair) {
-		return !touching_->forEachMeeting(surroundings(result, pair), [](int) { return false; });
-	};
+	std::vector<char> isNear(std::size_t(result.faceNum), 0);
+	for (int f : facesOf(pairs))
+		isNear[std::size_t(f)] =
+			!touching_->forEachMeeting(surroundings(result, f), [](int) { return false; });
 	std::vector<FacePair> others;
-	std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others),
-				 [&](const FacePair& pair) { return !isNear(pair); });
+	std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others), [&](const FacePair& pair) {
+		return !isNear[std::size_t(pair.first)] && !isNear[std::size_t(pair.second)];
+	});
 	return others;
 }
 

@@ -19,8 +19,8 @@ namespace gpr {
 /// input.
 class InputContacts {
 public:
-	/// Tests the input's faces nearer than `distance` to the box of a pair. Cost: a pass over the
-	/// input's faces, and the test of the near faces.
+	/// Tests the input's faces nearer than `distance` to the box of a face in contact. Cost: a pass
+	/// over the input's faces, and the test of the near faces.
 	InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 				  const std::vector<FacePair>& pairs, float distance, Workers& workers);
 
@@ -36,7 +36,7 @@ private:
 	std::int64_t               pairNum_ = 0;
 	std::unique_ptr<FaceBoxes> touching_; ///< faces of the input with contacts; null: none
 
-	Box<float> surroundings(const HalfEdgeMesh& result, const FacePair& pair) const;
+	Box<float> surroundings(const HalfEdgeMesh& result, int f) const;
 };
 
 } // namespace gpr

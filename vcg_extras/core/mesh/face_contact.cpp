@@ -325,10 +325,11 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers,
 	return findAmong(m, wanted, seams, workers);
 }
 
-std::vector<int> findTouchingFaces(const HalfEdgeMesh& m, Workers& workers)
+std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 {
 	std::vector<int> faces;
-	for (const FacePair& pair : findTouchingPairs(m, workers))
+	faces.reserve(2 * pairs.size());
+	for (const FacePair& pair : pairs)
 		faces.insert(faces.end(), {pair.first, pair.second});
 	sortUnique(faces);
 	return faces;
@@ -372,7 +373,7 @@ const std::vector<FacePair>& KnownContacts::find(const HalfEdgeMesh& m, Workers&
 	};
 	pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), isOld), pairs_.end());
 	const auto changedNum = std::count(changed.begin(), changed.end(), char(1));
-	if (changedNum == 0) return pairs_;
+	if (changedNum == 0 && origin_.size() == std::size_t(m.halfEdgeNum())) return pairs_;
 	// A whole search is faster than many single searches.
 	constexpr std::ptrdiff_t many = 8;
 	if (changedNum > std::ptrdiff_t(changed.size()) / many) {

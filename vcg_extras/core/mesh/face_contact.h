@@ -48,8 +48,8 @@ enum class Seams { Joined, Apart };
 /// firstFace on. Skips dead faces. Cost: O(F log F), parallel.
 std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& mesh, Workers& workers,
 										Seams seams = Seams::Joined, int firstFace = 0);
-/// The faces of all these pairs, ascending.
-std::vector<int> findTouchingFaces(const HalfEdgeMesh& mesh, Workers& workers);
+/// The faces of some pairs, each once, ascending.
+std::vector<int> facesOf(const std::vector<FacePair>& pairs);
 
 /// Counts contacts between `faces` and the union of `faces` and `near`, both ascending. Skips dead
 /// faces. Adds the number of compared pairs to `work`, unless null. Cost: the product of both

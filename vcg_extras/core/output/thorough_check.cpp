@@ -13,9 +13,10 @@ CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 	const HalfEdgeMesh &input = surface.mesh, &result = made.mesh;
 	CheckFigures        figures;
 	figures.done              = true;
-	figures.intersectingFaces = std::int64_t(findTouchingFaces(result, workers).size());
+	figures.intersectingFaces = std::int64_t(facesOf(findTouchingPairs(result, workers)).size());
 	if (figures.intersectingFaces > 0)
-		figures.inputIntersectingFaces = std::int64_t(findTouchingFaces(input, workers).size());
+		figures.inputIntersectingFaces =
+			std::int64_t(facesOf(findTouchingPairs(input, workers)).size());
 	const SampledDistance distance =
 		sampledDistance({input, both.input}, {result, both.result}, workers);
 	figures.vertexDistance  = distance.vertexDistance;

@@ -19,11 +19,11 @@ constexpr std::int64_t fewVertices = 64;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
 constexpr int maxSearchedCounts = 8;
-/// Where sheets that meet in junctions intersect, the count is raised up to this many times the
-/// first count.
-constexpr std::int64_t mostForSheets = 16;
+/// Where sheets that meet in junctions intersect, the count is raised by halves up to this many
+/// times the first count: five meshes at most, since sheets at one place never come apart.
+constexpr std::int64_t mostForSheets = 8;
 
-/// The next count to try where sheets would intersect.
+/// The next count of a search for possible counts.
 std::int64_t quarterMore(std::int64_t vertexNum)
 {
 	return vertexNum + std::max<std::int64_t>(1, vertexNum / 4);
@@ -604,11 +604,11 @@ std::string Plan::judge(const FitFacts& facts)
 	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
-/// Sheets intersect beside a junction. If the target is a wish, the next mesh has a quarter more
-/// vertices; else the run refuses.
+/// Sheets intersect beside a junction. If the target is a wish, the next mesh has half as many
+/// vertices again; else the run refuses.
 std::string Plan::separateByMore(const ContactFacts& facts)
 {
-	const std::int64_t next = quarterMore(facts.before);
+	const std::int64_t next = facts.before + std::max<std::int64_t>(1, facts.before / 2);
 	const std::int64_t faceNum =
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
 	const bool         isFirst = attempts_.separatedFrom == 0;

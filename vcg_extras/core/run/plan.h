@@ -184,7 +184,7 @@ struct Request {
 ///     7 at few vertices a degenerate face          the next count, eight times  Input
 ///     crowded lines after the fit                  lines released               Release
 ///     no contacts, but above the count             larger count, or refused     -
-///     sheets intersect beside a junction           a quarter more, up to 16
+///     sheets intersect beside a junction           half as many again, up to 8
 ///                                                    times, or refused          Lines
 ///     error above the bound at single places       vertices there, 3 times      Contacts
 ///     error above the bound, or far below it       another count, 5 trials      Region
