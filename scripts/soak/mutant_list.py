@@ -376,7 +376,7 @@ MUTANTS = [
     ("the input's contacts: margin", "guard/input_contacts.cpp",
      "const Vec3f margin(distance_, distance_, distance_);", "const Vec3f margin(0, 0, 0);"),
     ("the input's contacts: elsewhere", "guard/input_contacts.cpp",
-     "[&](const FacePair& pair) { return !isNear(pair); });", "[&](const FacePair&) { return false; });"),
+     "return !isNear[std::size_t(pair.first)] && !isNear[std::size_t(pair.second)];", "return false;"),
     ("the input's contacts: where it was cut", "guard/input_contacts.cpp",
      "workers, Seams::Apart);", "workers, Seams::Joined);"),
     # ---- run
