@@ -374,7 +374,7 @@ MUTANTS = [
      "longestAtBorder = 0.3f, longestInside = 0.6f;", "longestAtBorder = 0.3f, longestInside = 6;"),
     ("patch input: cut edges are no borders", "guard/patch_input.cpp", "char(other < 0);", "char(place < 0);"),
     ("the input's contacts: margin", "guard/input_contacts.cpp",
-     "const Vec3f margin(distance_, distance_, distance_);", "const Vec3f margin(0, 0, 0);"),
+     "margin(distance_, distance_, distance_);", "margin(0, 0, 0);"),
     ("the input's contacts: elsewhere", "guard/input_contacts.cpp",
      "return !isNear[std::size_t(pair.first)] && !isNear[std::size_t(pair.second)];", "return false;"),
     ("the input's contacts: where it was cut", "guard/input_contacts.cpp",
