@@ -45,6 +45,15 @@ std::vector<FarPoint> pointsBeyond(Laid& on, double limit)
 	return points;
 }
 
+/// The vertex in the middle of an edge of the unit cube, or -1.
+int middleOfACrease(const Laid& on)
+{
+	for (int v = 0; v < on.result.mesh.vertexNum; ++v) {
+		if (length(on.at(v) - Vec3d(0.5, 0, 0)) < 1e-4) return v;
+	}
+	return -1;
+}
+
 LocalRefinement settingsFor(double limit)
 {
 	return {20 * radians, float(limit), 1000};
@@ -111,6 +120,53 @@ TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
 		{on.surface.frame.toWorking(Vec3d(0.36, 0.001, 0)), 0.1f, false}};
 	ASSERT_EQ(refineAt(on.surface, on.boundary, points, settingsFor(1), on.result, on.workers), 1);
 	EXPECT_TRUE(on.result.mesh.isBorderVertex(on.result.mesh.vertexNum - 1));
+}
+
+/// Splits beside a point that stays far would only crowd vertices.
+TEST(LocalRefinement, MakesNoVertexThatLeavesItsPointFar)
+{
+	OnSurface                   on(grid(8, 8));
+	const auto                  before = meshOf(on.result.mesh).positions;
+	const Vec3d                 above(0.36, 0.44, 0.3); // no point of the surface is there
+	const std::vector<FarPoint> points = {
+		{on.surface.frame.toWorking(above), float(0.3 * on.surface.frame.scale), true}};
+	EXPECT_EQ(refineAt(on.surface, on.boundary, points, settingsFor(1), on.result, on.workers), 0);
+	EXPECT_TRUE(meshOf(on.result.mesh).positions == before);
+}
+
+TEST(FarPoints, AreDrawnNearWithoutNewVertices)
+{
+	Laid         on(icosphere(6), icosphere(3));
+	const double limit  = 0.6 * on.farthest() * on.meanEdge();
+	const auto   before = pointsBeyond(on, limit);
+	ASSERT_GT(before.size(), 100u);
+	const int            vertexNum = on.result.mesh.vertexNum;
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	const auto           left =
+		drawToPoints(before, on.surface, map, 20 * radians, float(limit), on.result, on.workers);
+	EXPECT_LT(left.size(), before.size() / 4);
+	EXPECT_LT(pointsBeyond(on, limit).size(), before.size() / 4);
+	EXPECT_EQ(on.result.mesh.vertexNum, vertexNum);
+	EXPECT_TRUE(findTouchingPairs(on.result.mesh, on.workers).empty());
+}
+
+/// No vertex of the input lies near the far points: the crease edges of the input are long.
+TEST(FarPoints, MayLieInTheMiddleOfACreaseEdge)
+{
+	Laid      on(cube(1), cube(4));
+	const int vertex = middleOfACrease(on);
+	ASSERT_GE(vertex, 0);
+	Vec3f&      at     = on.result.mesh.position[vertex];
+	const Vec3f inside = on.surface.frame.toWorking(Vec3d(0.5, 0.5, 0.5)) - at;
+	at += inside * (0.1f * on.meanEdge() / length(inside));
+	const double limit  = 0.02 * on.meanEdge();
+	const auto   points = pointsBeyond(on, limit);
+	ASSERT_FALSE(points.empty());
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	EXPECT_TRUE(
+		drawToPoints(points, on.surface, map, 20 * radians, float(limit), on.result, on.workers)
+			.empty());
+	EXPECT_TRUE(pointsBeyond(on, limit).empty());
 }
 
 TEST(LocalRefinement, DoesNotDependOnThreads)

@@ -718,7 +718,7 @@ public:
 				break;
 			case Step::Refinement:
 				++refinementNum;
-				plan.judge(RefinementFacts{addedATime});
+				plan.judge(RefinementFacts{addedATime, addedATime > 0});
 				break;
 			case Step::Error:
 				plan.judge(ErrorFacts{errorOf(d.wholeNum()), 1e-4, 1.1});

@@ -20,13 +20,14 @@ namespace {
 constexpr double provable = 0.97;
 /// The largest share of new vertices in a round. A larger share means that triangles are too large
 /// everywhere.
-constexpr double mostAdded = 0.08;
+constexpr double mostAdded = 0.15;
 /// Each round halves triangles that are still too large. Six rounds suffice, except at thin spikes.
 constexpr int mostRounds = 12;
-/// Smaller angles beside new vertices are raised, degrees. At spikes, larger angles would undo the
-/// gain.
-constexpr float angleAtFirst = 30, angleLater = 15;
-constexpr int   roundsForAngles = 4;
+/// Passes over the faces beyond the goal, before the first round.
+constexpr int facePasses = 2;
+/// Smaller angles beside new vertices are raised. Moves to far points may leave smaller angles,
+/// because vertices among small angles could not move otherwise.
+constexpr float raisedAngle = 30 * radians, keptAngle = 20 * radians;
 
 void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<FarPoint>& points)
 {
@@ -115,15 +116,27 @@ Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, doubl
 	FallingNumber         pointNum;
 	std::vector<FarPoint> points;
 	Refined               refined;
+	std::size_t           before = std::numeric_limits<std::size_t>::max();
+	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
+						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
 		points            = search.next(result, points);
 		refined.keepsGoal = points.empty();
-		if (!pointNum.goesOn(points.size())) break;
+		if (points.empty() || points.size() > std::size_t(result.mesh.vertexNum)) break;
+		std::vector<FarPoint> left =
+			drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
+						 float(limit), result, workers);
+		// Points that come back after each round need new vertices.
+		const bool hasFallen = points.size() < before;
+		before               = points.size();
+		if (left.empty() && hasFallen) continue;
+		if (left.empty()) left = points;
+		if (!pointNum.goesOn(left.size())) break;
 		LocalRefinement settings;
-		settings.minAngle = (round < roundsForAngles ? angleAtFirst : angleLater) * radians;
+		settings.minAngle = raisedAngle;
 		settings.maxGap   = float(limit);
 		settings.mostNew  = int(mostAdded * result.mesh.vertexNum);
-		const int more    = refineAt(surface, curves, points, settings, result, workers);
+		const int more    = refineAt(surface, curves, left, settings, result, workers);
 		if (more == 0) break;
 		refined.addedNum += more;
 	}

@@ -31,6 +31,8 @@ constexpr float besideEdge = 0.15f;
 /// For a far point of the result, the walk must end at most this factor of the distance from the
 /// point.
 constexpr float reachedShare = 0.2f, foundShare = 1.01f;
+/// A split must bring its far point to at most this share of the distance.
+constexpr float settledShare = 0.6f;
 /// The share of the height over the surface that vertices keep. The fit leaves vertices off the
 /// surface, with triangles on both sides; smaller triangles need smaller heights. Shares of 0.5 and
 /// 1 take twice the rounds.
@@ -116,9 +118,7 @@ public:
 private:
 	PatchEditor         editor_;
 	const HalfEdgeMesh& m_;
-	/// A new vertex goes to the far point only if the angles at the vertex keep these limits, or do
-	/// not shrink against the middle of the edge. Thin spikes need small angles; the angles are
-	/// raised later if the distances allow.
+	/// A split keeps these limits, or the smallest angle there was before.
 	const Acceptance limits_ = acceptanceOf(Driver::Refinement);
 	FaceBoxes        boxes_;   ///< of the faces at the start
 	std::vector<int> changed_; ///< faces changed since the start
@@ -129,7 +129,14 @@ private:
 
 	/// The faults that a split must not add.
 	struct Faults {
-		int invertedNum = 0, pairNum = 0;
+		int   invertedNum = 0, pairNum = 0;
+		float angle = HUGE_VALF; ///< smallest angle
+
+		bool exceed(const Faults& before, float limit) const
+		{
+			return invertedNum > before.invertedNum || pairNum > before.pairNum ||
+				   angle < std::min(before.angle, limit);
+		}
 	};
 
 	/// The other edges of the faces of an edge, tried next if the edge is a curve that admits no
@@ -155,8 +162,8 @@ private:
 		return false;
 	}
 
-	/// Splits an edge. False if faces would be inverted or intersect other faces; then nothing
-	/// changes.
+	/// Splits an edge. False if faces would be inverted or intersect other faces, or if the point
+	/// would stay far; then nothing changes.
 	bool trySplit(const Edge& edge, Place place, const FarPoint& point)
 	{
 		const Operation op{Operation::Split, m_.findEdge(edge.first, edge.second)};
@@ -166,8 +173,7 @@ private:
 		const bool                  isMade      = makeAndPlace(op, place, point);
 		const std::vector<int>      faces       = facesRound(m_, editor_.patchNow(before));
 		const Faults                faults      = isMade ? faultsOf(faces) : Faults();
-		if (!isMade || faults.invertedNum > faultsOfOld.invertedNum ||
-			faults.pairNum > faultsOfOld.pairNum) {
+		if (!isMade || faults.exceed(faultsOfOld, limits_.angle) || !settles(point, faces)) {
 			editor_.undo(before);
 			return false;
 		}
@@ -175,6 +181,21 @@ private:
 		changed_.insert(changed_.end(), faces.begin(), faces.end());
 		return true;
 	}
+
+	/// Whether a far point of the surface comes much closer. Repeated halves of an edge beside a
+	/// point that stays far would only crowd vertices. A far point of the result is gone.
+	bool settles(const FarPoint& point, const std::vector<int>& faces) const
+	{
+		if (!point.isOfSurface) return true;
+		const float wanted = settledShare * point.distance;
+		return std::any_of(faces.begin(), faces.end(), [&](int f) {
+			const Vec3f at =
+				nearestOnTriangle(point.position, corner(f, 0), corner(f, 1), corner(f, 2));
+			return squaredLength(at - point.position) <= wanted * wanted;
+		});
+	}
+
+	Vec3f corner(int f, int k) const { return m_.position[m_.origin[3 * f + k]]; }
 
 	bool makeAndPlace(const Operation& op, Place place, const FarPoint& point)
 	{
@@ -195,8 +216,10 @@ private:
 	Faults faultsOf(const std::vector<int>& faces) const
 	{
 		Faults faults;
-		for (int f : faces)
+		for (int f : faces) {
 			faults.invertedNum += editor_.agreement(f) < 0;
+			faults.angle = std::min(faults.angle, smallestAngle(m_, f));
+		}
 		faults.pairNum = countTouchingPairs(m_, faces, facesNear(faces));
 		return faults;
 	}
@@ -226,17 +249,16 @@ private:
 	bool moveTo(const FarPoint& point, int v)
 	{
 		if (!isFree(v)) return false;
-		const HalfEdgeMesh&      s      = editor_.surface().mesh;
-		const float              before = smallestAngleAt(v);
-		PatchEditor::VertexState there  = editor_.stateOf(v);
-		SurfacePoint&            at     = there.record.point;
-		at.position                     = nearestOnTheWay(s, point.position, 0, at.face);
+		const HalfEdgeMesh&      s     = editor_.surface().mesh;
+		PatchEditor::VertexState there = editor_.stateOf(v);
+		SurfacePoint&            at    = there.record.point;
+		at.position                    = nearestOnTheWay(s, point.position, 0, at.face);
 		const float most = (point.isOfSurface ? reachedShare : foundShare) * point.distance;
 		if (length(at.position - point.position) > most) return false;
 		there.position      = at.position;
 		there.record.normal = s.faceNormal(at.face);
 		editor_.put(v, there);
-		return smallestAngleAt(v) >= std::min(before, limits_.angle);
+		return true;
 	}
 
 	/// Moves v towards the surface.
@@ -248,8 +270,6 @@ private:
 		state.position                  = state.record.point.position + height * heightKept;
 		editor_.put(v, state);
 	}
-
-	float smallestAngleAt(int v) const { return smallestAngleAround(m_, v, m_.position[v], 0); }
 };
 
 } // namespace
@@ -273,7 +293,8 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 		smallAngles(search, settings.minAngle, keepingCount, guardedShare * settings.maxGap);
 	goal.limits.gap = settings.maxGap;
 	search.run(goal);
-	lowerWorstDistances(surface, map, settings.minAngle, worstRounds, result, workers);
+	lowerWorstDistances(surface, map, settings.minAngle, worstRounds, result, workers,
+						settings.maxGap);
 	return result.mesh.vertexNum - before;
 }
 

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_REFINEMENT_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_REFINEMENT_H
 
+#include "worst_distances.h"
+
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -11,14 +13,6 @@
 #include <vector>
 
 namespace gpr {
-
-/// A point of the surface far from the result, or a point of the result far from the surface;
-/// working units.
-struct FarPoint {
-	Vec3f position;
-	float distance    = 0;
-	bool  isOfSurface = false;
-};
 
 struct LocalRefinement {
 	float minAngle = 0; ///< radians; smaller angles beside new vertices are raised

@@ -7,6 +7,7 @@
 #include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/local_nearest.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 /// Faces moved in a round: faces beyond this share of the largest distance, and at most this many.
 constexpr float       worstShare = 0.75f;
-constexpr std::size_t maxFaces   = 300;
+constexpr std::size_t maxFaces = 300, maxFacesToGoal = 3000;
 /// Smaller distances count as near, as a share of the mean edge.
 constexpr float nearShare = 0.1f;
 /// Moves at a face in a round.
@@ -37,10 +38,11 @@ constexpr float longestMove = 0.3f;
 
 class WorstDistances {
 public:
-	WorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
+	WorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle, float goal,
 				   ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			s_(surface.mesh), near_(nearShare * meanEdgeByArea(result.mesh)),
+			s_(surface.mesh), hasGoal_(goal > 0),
+			near_(hasGoal_ ? goal : nearShare * meanEdgeByArea(result.mesh)),
 			limits_(acceptanceOf(Driver::WorstDistances, minAngle)), r_(result), m_(result.mesh),
 			workers_(workers), normal_(smoothNormals(surface, result, workers)),
 			point_(m_.vertexNum), gaps_(surface, map, m_, point_, near_)
@@ -68,9 +70,29 @@ public:
 		return std::sqrt(largestKnown());
 	}
 
+	/// Returns the points that stay farther than near.
+	std::vector<FarPoint> drawTo(const std::vector<FarPoint>& points)
+	{
+		gap_ = gaps_.measureAll(workers_);
+		const NearestOnMesh tree(m_, workers_);
+		std::vector<int>    face(points.size());
+		workers_.forEach(points.size(),
+						 [&](int i) { face[i] = tree.nearest(points[i].position).face; });
+		std::vector<FarPoint> left;
+		for (std::size_t i = 0; i < points.size(); ++i) {
+			workers_.poll();
+			const FarPoint& p      = points[i];
+			const bool      isNear = p.isOfSurface ? drawToSurfacePoint(p.position, face[i])
+												   : drawToSurface(p.position, face[i]);
+			if (!isNear) left.push_back(p);
+		}
+		return left;
+	}
+
 private:
 	const Surface&       surface_;
-	const HalfEdgeMesh&  s_; ///< of the surface
+	const HalfEdgeMesh&  s_;       ///< of the surface
+	bool                 hasGoal_; ///< near is the goal, and vertices may leave their lines
 	float                near_;
 	Acceptance           limits_; ///< of a move, for faces
 	ResultMesh&          r_;
@@ -100,12 +122,72 @@ private:
 			   (m_.isBorderVertex(c[0]) || m_.isBorderVertex(c[1]) || m_.isBorderVertex(c[2]));
 	}
 
+	// ---- far points
+
+	/// The place on the result nearest to a point, among the faces round face f.
+	SurfacePoint nearestAround(const Vec3f& p, int f) const
+	{
+		SurfacePoint nearest;
+		float        squared = HUGE_VALF;
+		const int*   c       = &m_.origin[3 * f];
+		for (int g : facesRound(m_, {c[0], c[1], c[2]})) {
+			const Vec3f at  = nearestOnTriangle(p, corner(g, 0), corner(g, 1), corner(g, 2));
+			const float own = squaredLength(at - p);
+			if (own >= squared) continue;
+			squared = own;
+			nearest = {at, g};
+		}
+		return nearest;
+	}
+
+	/// Draws the result to a far point of the surface. False if the point stays farther than near.
+	bool drawToSurfacePoint(const Vec3f& p, int f)
+	{
+		for (int move = 0; move <= maxMoves; ++move) {
+			const SurfacePoint at = nearestAround(p, f);
+			const Gap          gap{squaredLength(p - at.position), p - at.position, at.position};
+			if (gap.squared <= near_ * near_) return true;
+			f                   = at.face;
+			const auto isCloser = [&] {
+				const Vec3f now = nearestAround(p, f).position;
+				return squaredLength(p - now) <= minGain * minGain * gap.squared;
+			};
+			if (move == maxMoves || !moveSome(f, gap, isCloser)) return false;
+		}
+		return false;
+	}
+
+	/// Draws a far point of the result to the surface. False if the point stays farther than near.
+	bool drawToSurface(const Vec3f& p, int f)
+	{
+		const std::array<float, 3> weight = weightsAt(p, corner(f, 0), corner(f, 1), corner(f, 2));
+		const auto                 place  = [&] {
+            return corner(f, 0) * weight[0] + corner(f, 1) * weight[1] + corner(f, 2) * weight[2];
+		};
+		const auto wayFrom = [&](const Vec3f& at) {
+			int seed = point_[m_.origin[3 * f]].face;
+			return nearestOnTheWay(s_, at, 0, seed) - at;
+		};
+		for (int move = 0; move <= maxMoves; ++move) {
+			const Vec3f at = place(), way = wayFrom(at);
+			const Gap   gap{squaredLength(way), way, at};
+			if (gap.squared <= near_ * near_) return true;
+			const auto isCloser = [&] {
+				return squaredLength(wayFrom(place())) <= minGain * minGain * gap.squared;
+			};
+			if (move == maxMoves || !moveSome(f, gap, isCloser)) return false;
+		}
+		return false;
+	}
+
 	// ---- the worst faces
 
 	/// The squared distance above which a round moves faces.
 	float squaredGoal() const
 	{
-		return std::max(worstShare * worstShare * largestKnown(), near_ * near_);
+		const float nearSquared = near_ * near_;
+		if (hasGoal_) return nearSquared;
+		return std::max(worstShare * worstShare * largestKnown(), nearSquared);
 	}
 
 	float largestKnown() const { return *std::max_element(gap_.begin(), gap_.end()); }
@@ -133,13 +215,20 @@ private:
 		}
 		std::stable_sort(faces.begin(), faces.end(),
 						 [&](int f, int g) { return gap_[f] > gap_[g]; });
-		if (faces.size() > maxFaces) faces.resize(maxFaces);
+		const std::size_t most = hasGoal_ ? maxFacesToGoal : maxFaces;
+		if (faces.size() > most) faces.resize(most);
 		return faces;
 	}
 
 	// ---- moves
 
-	bool mayMove(int v) const { return constraintOf(r_, v) == Constraint::Free; }
+	/// Within a goal vertices of feature lines, and their corners, may leave their lines.
+	bool mayMove(int v) const
+	{
+		const Constraint c = constraintOf(r_, v);
+		if (c == Constraint::Free || !hasGoal_) return c == Constraint::Free;
+		return c != Constraint::Surface && !m_.isBorderVertex(v) && !r_.vertex[v].isPinned;
+	}
 
 	bool drawCloser(int f, float goal)
 	{
@@ -155,10 +244,18 @@ private:
 	{
 		const Gap gap = gaps_.gapAt(f);
 		if (gap.squared <= near_ * near_) return false;
+		const auto isCloser = [&] { return gaps_.isWithin(f, minGain * minGain * gap.squared); };
+		return moveSome(f, gap, isCloser);
+	}
+
+	/// Moves all corners of a face, or one corner.
+	template <class IsCloser>
+	bool moveSome(int f, const Gap& gap, const IsCloser& isCloser)
+	{
 		const int* c = &m_.origin[3 * f];
-		if (tryMoves(f, gap, {c[0], c[1], c[2]})) return true;
+		if (tryMoves(f, gap, {c[0], c[1], c[2]}, isCloser)) return true;
 		for (int k = 0; k < 3; ++k) {
-			if (tryMoves(f, gap, {c[k]})) return true;
+			if (tryMoves(f, gap, {c[k]}, isCloser)) return true;
 		}
 		return false;
 	}
@@ -191,7 +288,8 @@ private:
 		return moves;
 	}
 
-	bool tryMoves(int f, const Gap& gap, const std::vector<int>& vertices)
+	template <class IsCloser>
+	bool tryMoves(int f, const Gap& gap, const std::vector<int>& vertices, const IsCloser& isCloser)
 	{
 		const std::vector<Move> moves = movesAlong(f, gap, vertices);
 		if (moves.empty()) return false;
@@ -202,13 +300,14 @@ private:
 		const std::vector<int> faces  = facesRound(m_, moving);
 		const float            before = std::max(gap.squared, largestKnown(faces));
 		for (float share : wayShares) {
-			if (tryMove(f, gap, moves, share, faces, before)) return true;
+			if (tryMove(moves, share, faces, before, isCloser)) return true;
 		}
 		return false;
 	}
 
-	bool tryMove(int f, const Gap& gap, const std::vector<Move>& moves, float share,
-				 const std::vector<int>& faces, float before)
+	template <class IsCloser>
+	bool tryMove(const std::vector<Move>& moves, float share, const std::vector<int>& faces,
+				 float before, const IsCloser& isCloser)
 	{
 		std::vector<Corners> corners;
 		std::vector<float>   agreed;
@@ -224,8 +323,8 @@ private:
 			keepsNear        = keepsNear && squaredOff(next) <= allowedOff(m.vertex);
 			put(m.vertex, next);
 		}
-		if (keepsNear && areSound(faces, corners, agreed) &&
-			gaps_.isWithin(f, minGain * minGain * gap.squared) && areWithin(faces, before)) {
+		if (keepsNear && areSound(faces, corners, agreed) && isCloser() &&
+			areWithin(faces, before)) {
 			for (int g : faces)
 				gap_[g] = isAtSmoothBorder(g) ? near_ * near_ : gaps_.gapAt(g).squared;
 			return true;
@@ -258,7 +357,8 @@ private:
 	/// vertex from input vertices that only seem to have no triangle near.
 	float allowedOff(int v) const
 	{
-		const float allowed = farthestOff * farthestOff * near_ * near_;
+		const float off     = hasGoal_ ? 1 : farthestOff;
+		const float allowed = off * off * near_ * near_;
 		return std::max(allowed, squaredOff(placeAfter(v, Vec3f())));
 	}
 
@@ -286,9 +386,16 @@ private:
 } // namespace
 
 float lowerWorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
-						  int rounds, ResultMesh& result, Workers& workers)
+						  int rounds, ResultMesh& result, Workers& workers, float goal)
 {
-	return WorstDistances(surface, map, minAngle, result, workers).run(rounds);
+	return WorstDistances(surface, map, minAngle, goal, result, workers).run(rounds);
+}
+
+std::vector<FarPoint> drawToPoints(const std::vector<FarPoint>& points, const Surface& surface,
+								   const ClosestFaceMap& map, float minAngle, float goal,
+								   ResultMesh& result, Workers& workers)
+{
+	return WorstDistances(surface, map, minAngle, goal, result, workers).drawTo(points);
 }
 
 } // namespace gpr

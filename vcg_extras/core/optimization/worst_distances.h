@@ -8,7 +8,17 @@
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
+#include <vector>
+
 namespace gpr {
+
+/// A point of the surface far from the result, or a point of the result far from the surface;
+/// working units.
+struct FarPoint {
+	Vec3f position;
+	float distance    = 0;
+	bool  isOfSurface = false;
+};
 
 /// Last part of Stage::Fit: moves vertices at the places with the largest distances between result
 /// and surface, so that the distances fall. The fit minimises a mean of squares over the vertices
@@ -24,12 +34,24 @@ namespace gpr {
 /// had). The rounds end early if all distances are below a tenth of an edge. Vertices of curves,
 /// cone apexes and pinned vertices stay.
 ///
+/// goal: with a goal, in working units, all faces with a larger distance move, farthest first, and
+/// vertices of feature lines may leave their lines by up to the goal; 0: no goal.
+///
 /// Changes positions; the surface points of the records stay. Returns the largest distance left, or
 /// the distance that counts as near. map: of the mesh, or of a mesh with vertices nearby. Cost: a
 /// pass over the vertices of the input, in parallel, and some hundred microseconds for each of the
 /// few faces.
 float lowerWorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
-						  int rounds, ResultMesh& result, Workers& workers);
+						  int rounds, ResultMesh& result, Workers& workers, float goal = 0);
+
+/// Draws the result to far points within a goal, by the same moves and with the same limits. Unlike
+/// the vertices of the input, which lowerWorstDistances looks at, far points may lie anywhere: in
+/// the middle of a long crease edge of the input, for example. Returns the points that stay farther
+/// than the goal. Cost: a pass over the vertices of the input, a tree over the faces of the result,
+/// and some hundred microseconds for each point.
+std::vector<FarPoint> drawToPoints(const std::vector<FarPoint>& points, const Surface& surface,
+								   const ClosestFaceMap& map, float minAngle, float goal,
+								   ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

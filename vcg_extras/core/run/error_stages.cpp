@@ -23,12 +23,10 @@ struct Effort {
 	/// Factor on the size that would suffice if the error were proportional to the size, as on
 	/// creases and rims. Below 1, because each trial places samples elsewhere.
 	double caution;
-	double nearGoal; ///< share of the bound; farther places get smaller triangles
 };
 
-/// The first trial leaves many far places, the second fewer; later trials shall leave none. Each
-/// trial places samples elsewhere, so that places close to the bound get smaller triangles, too.
-constexpr Effort first = {1.2, 0.75, 0.9}, second = {1.5, 0.6, 0.8}, later = {1.5, 0.5, 0.65};
+/// The first trial leaves many far places, the second fewer; later trials shall leave none.
+constexpr Effort first = {1.2, 0.75}, second = {1.5, 0.6}, later = {1.5, 0.5};
 constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
 
 const Effort& effortAfter(std::size_t missedNum)
@@ -47,11 +45,11 @@ FineSpot spotAt(const FarPlace& place, const Effort& effort, double goal, double
 	return spot;
 }
 
-double areaOf(const std::vector<FarPlace>& places, double goal)
+double areaOf(const std::vector<FarPlace>& places)
 {
 	double area = 0;
 	for (const FarPlace& p : places)
-		if (p.distance > goal) area += p.area;
+		area += p.area;
 	return area;
 }
 
@@ -61,21 +59,18 @@ double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers
 	return meanSquaredStretch(surface.mesh, factorsOf(spots, surface, workers), workers);
 }
 
-/// Finds the places at which the result is farther from the surface than `nearGoal` times the
-/// bound.
+/// Finds the places at which the result is farther from the surface than the bound.
 ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces& both,
 							FineSpots& spots, const Products& made)
 {
-	const Surface& surface = made.surface;
-	const double   limit   = goal * surface.frame.scale;
-	const Effort&  effort  = effortAfter(spots.size());
-	const auto     ofInput =
-		placesBeyond(both.input, both.result, effort.nearGoal * limit, run.workers);
-	const auto ofResult =
-		placesBeyond(both.result, both.input, effort.nearGoal * limit, run.workers);
-	const double total = surfaceArea(surface.mesh, run.workers);
-	ErrorFacts   facts;
-	facts.share         = std::min(1.0, areaOf(ofInput, limit) / std::max(total, 1e-300));
+	const Surface& surface  = made.surface;
+	const double   limit    = goal * surface.frame.scale;
+	const Effort&  effort   = effortAfter(spots.size());
+	const auto     ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
+	const auto     ofResult = placesBeyond(both.result, both.input, limit, run.workers);
+	const double   total    = surfaceArea(surface.mesh, run.workers);
+	ErrorFacts     facts;
+	facts.share         = std::min(1.0, areaOf(ofInput) / std::max(total, 1e-300));
 	const double before = growthBy(spots, surface, run.workers);
 	spots.emplace_back();
 	for (const std::vector<FarPlace>* places : {&ofInput, &ofResult})
@@ -109,7 +104,7 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 	const Refined refined =
 		refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
 	made.keepsGoal = refined.keepsGoal;
-	return {refined.addedNum};
+	return {refined.addedNum, true};
 }
 
 ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made)

@@ -671,7 +671,7 @@ std::string Plan::judge(const RefinementFacts& facts)
 {
 	decisions_.addedNum += facts.addedNum;
 	++attempts_.refinementNum;
-	return returnIf(facts.addedNum > 0, Step::Contacts);
+	return returnIf(facts.hasChanged, Step::Contacts);
 }
 
 // ---- Several meshes for one result.

@@ -137,7 +137,8 @@ struct ContactFacts {
 	std::int64_t faceNum   = 0;     ///< of the mesh now
 };
 struct RefinementFacts {
-	int addedNum = 0; ///< vertices added at single places
+	int  addedNum   = 0;     ///< vertices added at single places
+	bool hasChanged = false; ///< vertices were added or moved, and may make contacts
 };
 struct ErrorFacts {
 	double error  = 0; ///< proven bound of the largest distance, mesh units
@@ -186,7 +187,8 @@ struct Request {
 ///     no contacts, but above the count             larger count, or refused     -
 ///     sheets intersect beside a junction           half as many again, up to 8
 ///                                                    times, or refused          Lines
-///     error above the bound at single places       vertices there, 3 times      Contacts
+///     error above the bound at single places       moves and vertices there,
+///                                                    3 times      Contacts
 ///     error above the bound, or far below it       another count, 5 trials      Region
 ///     refused at up to 64 vertices                 test of the count in the
 ///                                                    refusal                    Region

@@ -25,7 +25,7 @@ constexpr double nearEnough = 0.87;
 /// The search ends between a count that meets and a count that misses the bound at this quotient.
 constexpr double nearCounts = 1.08;
 /// Largest change of the count from one trial to the next.
-constexpr double largestGrowth = 4, largestShrink = 3;
+constexpr double largestGrowth = 4, largestShrink = 1.4;
 /// The first count is a forecast. It is rarely below half of what is needed, as places that miss
 /// the bound get smaller triangles.
 constexpr double       growthAfterForecast = 2;
