@@ -462,6 +462,7 @@ TEST(MaxError, IsMetByAFewVerticesAndTold)
 		EXPECT_LE(proven.upper, r.report.errorGoal);
 		EXPECT_GT(proven.lower, 0);
 		EXPECT_LE(vertexDistance(r.mesh, mesh), proven.upper);
+		EXPECT_LE(r.report.largestFitDistance, 1.05 * proven.upper);
 		EXPECT_LE(r.report.errorTrialNum, 5);
 		EXPECT_LT(r.mesh.vertexNum(), mesh.vertexNum());
 		ASSERT_FALSE(r.notes.empty());

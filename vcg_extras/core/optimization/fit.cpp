@@ -196,7 +196,6 @@ public:
 		if (settings_.worstRounds > 0 && outcome.map != nullptr && !lowerWorst(outcome))
 			outcome.capped = true;
 		outcome.contacts = std::move(contacts_);
-		outcome.farthest = farthestFromSurface(r_);
 		return outcome;
 	}
 
@@ -255,9 +254,7 @@ private:
 			isFree_[v] = isFree_[v] && !(moves.shift(v) == Vec3f());
 			hasMoved   = hasMoved || isFree_[v];
 		}
-		if (!hasMoved) return true;
-		followOnSurface();
-		return takeBackOffenders(moves);
+		return !hasMoved || takeBackOffenders(moves);
 	}
 
 	/// Takes back the moves of faces that touch other faces or are inverted at the present records.
@@ -294,10 +291,7 @@ private:
 	void followOnSurface()
 	{
 		workers_.forEach(m_.vertexNum, [&](int v) {
-			if (!isFree_[v]) return;
-			ResultVertex& record = r_.vertex[v];
-			const Vec3f   step   = m_.position[v] - record.point.position;
-			walkBy(surface_, tangential(step, record.normal), record);
+			if (isFree_[v]) gpr::followOnSurface(surface_, v, r_);
 		});
 	}
 };

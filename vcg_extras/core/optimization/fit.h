@@ -27,8 +27,7 @@ struct FitSettings {
 struct FitOutcome {
 	std::unique_ptr<ClosestFaceMap> map;      ///< of the last round; null without rounds
 	KnownContacts                   contacts; ///< of the mesh at the end
-	float farthest   = 0; ///< largest distance of a vertex from its surface point, working units
-	float largestGap = 0; ///< between result and input after worstRounds, working units
+	float largestGap = 0;     ///< between result and input after worstRounds, working units
 	bool  capped     = false; ///< a guard gave up and took back the moves of a round
 };
 

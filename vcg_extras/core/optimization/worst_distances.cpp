@@ -10,6 +10,7 @@
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/surface_gap.h>
+#include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,7 @@ public:
 			near_(hasGoal_ ? goal : nearShare * meanEdgeByArea(result.mesh)),
 			limits_(acceptanceOf(Driver::WorstDistances, minAngle)), r_(result), m_(result.mesh),
 			workers_(workers), normal_(smoothNormals(surface, result, workers)),
-			point_(m_.vertexNum), gaps_(surface, map, m_, point_, near_)
+			point_(m_.vertexNum), hasMoved_(m_.vertexNum, 0), gaps_(surface, map, m_, point_, near_)
 	{
 		for (int v = 0; v < m_.vertexNum; ++v)
 			point_[v] = r_.vertex[v].point;
@@ -67,6 +68,7 @@ public:
 			}
 			if (!better) break;
 		}
+		moveRecords();
 		return std::sqrt(largestKnown());
 	}
 
@@ -86,6 +88,7 @@ public:
 												   : drawToSurface(p.position, face[i]);
 			if (!isNear) left.push_back(p);
 		}
+		moveRecords();
 		return left;
 	}
 
@@ -100,6 +103,7 @@ private:
 	Workers&             workers_;
 	Buffer<Vec3f>        normal_; ///< of the surface at the result's vertices
 	Buffer<SurfacePoint> point_;  ///< nearest surface points of the vertices
+	Buffer<char>         hasMoved_;
 	SurfaceGaps          gaps_;
 	Buffer<float>        gap_; ///< per face: squared distance, or the near distance squared
 
@@ -222,6 +226,16 @@ private:
 
 	// ---- moves
 
+	/// Moves the records after the vertices. The records of vertices that leave a line stay on the
+	/// line.
+	void moveRecords()
+	{
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (hasMoved_[v] && constraintOf(r_, v) == Constraint::Free)
+				followOnSurface(surface_, v, r_);
+		}
+	}
+
 	/// Within a goal vertices of feature lines, and their corners, may leave their lines.
 	bool mayMove(int v) const
 	{
@@ -327,6 +341,8 @@ private:
 			areWithin(faces, before)) {
 			for (int g : faces)
 				gap_[g] = isAtSmoothBorder(g) ? near_ * near_ : gaps_.gapAt(g).squared;
+			for (const Move& m : moves)
+				hasMoved_[m.vertex] = 1;
 			return true;
 		}
 		for (std::size_t i = 0; i < moves.size(); ++i)

@@ -37,7 +37,7 @@ struct FarPoint {
 /// goal: with a goal, in working units, all faces with a larger distance move, farthest first, and
 /// vertices of feature lines may leave their lines by up to the goal; 0: no goal.
 ///
-/// Changes positions; the surface points of the records stay. Returns the largest distance left, or
+/// The records of moved free vertices follow on the surface. Returns the largest distance left, or
 /// the distance that counts as near. map: of the mesh, or of a mesh with vertices nearby. Cost: a
 /// pass over the vertices of the input, in parallel, and some hundred microseconds for each of the
 /// few faces.

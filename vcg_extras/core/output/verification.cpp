@@ -89,7 +89,7 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& 
 	const ComparedSurfaces both(surface, result, run.workers);
 	const double           unit    = 1 / surface.frame.scale;
 	CheckFigures           figures = checkThoroughly(surface, result, both, run.workers);
-	const double           allowed = double(expected.largestFitDistance) + besideBorder(result);
+	const double           allowed = double(found.fitDistance) + besideBorder(result);
 	const std::string      failure = describeFailure(figures, allowed);
 	figures.vertexDistance *= unit;
 	figures.distance = figures.distance.times(unit);
@@ -123,6 +123,7 @@ void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& res
 	found.figures           = figuresOf(result.mesh, 1 / surface.frame.scale, run.workers);
 	found.constantForTarget = tellCountReached(run, expected, result);
 	found.keptNum           = tellKept(run, expected, result);
+	found.fitDistance       = farthestFromSurface(result);
 	requirePromises(run, surface, result, expected, found);
 	checkWhereAsked(run, surface, result, expected, found);
 	found.figures.vertices = result.vertexNum();

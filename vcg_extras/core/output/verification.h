@@ -16,10 +16,9 @@ namespace gpr {
 
 /// The goals of a run and its knowledge about the result.
 struct Expected {
-	MeshFigures  input;                  ///< of the remeshed surface
-	std::int64_t vertexNum          = 0; ///< of the result; 0: no target
-	std::int64_t keptNum            = 0; ///< input vertices to be kept
-	float        largestFitDistance = 0; ///< of a vertex from the surface, working units
+	MeshFigures  input;         ///< of the remeshed surface
+	std::int64_t vertexNum = 0; ///< of the result; 0: no target
+	std::int64_t keptNum   = 0; ///< input vertices to be kept
 };
 
 /// The findings about a result.
@@ -29,6 +28,7 @@ struct Verification {
 	CheckFigures  check;
 	DistanceProof proof;                 ///< made here if not before
 	std::int64_t  keptNum           = 0; ///< input vertices that were kept
+	float         fitDistance       = 0; ///< of a vertex from its surface point, working units
 	double        constantForTarget = 0; ///< for eq. (1): see RemeshReport
 };
 

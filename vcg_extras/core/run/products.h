@@ -100,9 +100,8 @@ struct Products {
 	KnownContacts                 contacts;  ///< Fit
 
 	// Figures of the later steps.
-	std::int64_t   releasedNum = 0; ///< vertices released from crowded lines
-	float          fitDistance = 0; ///< largest, from a vertex to its surface point, working units
-	GuardedFigures guarded;         ///< Contacts
+	std::int64_t   releasedNum = 0;         ///< vertices released from crowded lines
+	GuardedFigures guarded;                 ///< Contacts
 	bool           hasMadeVertices = false; ///< the last step Contacts made vertices
 	bool           keepsGoal       = false; ///< Refinement: no point was beyond the goal
 	Verification   verified;                ///< Error (its proof), Check

@@ -57,7 +57,7 @@ void reportResult(const Products& made, RemeshReport& report)
 	report.collapseNum             = result.collapseNum;
 	report.flipNum                 = result.flipNum;
 	report.releasedVertexNum       = made.releasedNum;
-	report.largestFitDistance      = double(made.fitDistance) / made.surface.frame.scale;
+	report.largestFitDistance      = double(verified.fitDistance) / made.surface.frame.scale;
 	report.result                  = verified.figures;
 	report.audit                   = verified.audit;
 	report.audit.guarded           = made.guarded;

@@ -148,8 +148,7 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
-	made.fitDistance = outcome.farthest;
-	made.contacts    = std::move(outcome.contacts);
+	made.contacts = std::move(outcome.contacts);
 	return {std::move(outcome.map), outcome.largestGap};
 }
 
@@ -175,8 +174,6 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
 	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
 		run.tellCap("changes for small angles");
-	// The repair made and removed vertices.
-	if (isFitted(run.options)) made.fitDistance = farthestFromSurface(made.result);
 }
 
 } // namespace
@@ -229,15 +226,13 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	const float   fitDistance = made.fitDistance;
-	KnownContacts contacts    = std::move(made.contacts);
-	ResultMesh    withLines   = std::move(made.result);
-	made.result               = copyResult(*made.beforeFit, run.workers);
-	made.releasedNum          = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	KnownContacts contacts  = std::move(made.contacts);
+	ResultMesh    withLines = std::move(made.result);
+	made.result             = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum        = releaseLines(minAngleDeg(run.options), made.result, run.workers);
 	fitAndRepair(run, decisions, made);
 	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
 		made.releasedNum = 0;
-		made.fitDistance = fitDistance;
 		made.contacts    = std::move(contacts);
 		made.result      = std::move(withLines);
 	}
@@ -281,7 +276,6 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 		made.contacts = KnownContacts();
 		outcome = removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
 	}
-	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
 	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused,
@@ -321,7 +315,7 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
 	tellCutJunctions(run, made);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
-							std::int64_t(made.sizes.kept.size()), made.fitDistance};
+							std::int64_t(made.sizes.kept.size())};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
 	return {};
 }

@@ -371,8 +371,7 @@ private:
 		made_.quality = exportResult(run_, surface_, joined.result, false, false, audited, out);
 		out.mesh.positions = std::move(joined.positions);
 		tell(joined);
-		made_.result      = std::move(joined.result);
-		made_.fitDistance = farthestFromSurface(made_.result);
+		made_.result = std::move(joined.result);
 	}
 
 	/// Neither half has contacts; the joined halves may have.
@@ -400,8 +399,7 @@ private:
 					Status::PromiseBroken,
 					"The mirrored half is farther from the input than the largest error.");
 		}
-		const Expected expected{surface_.figures, result.mesh.vertexNum, 0,
-								farthestFromSurface(result)};
+		const Expected expected{surface_.figures, result.mesh.vertexNum, 0};
 		verifyResult(run_, surface_, result, expected, made_.verified);
 	}
 

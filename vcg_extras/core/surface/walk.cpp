@@ -208,6 +208,13 @@ WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 	return end;
 }
 
+void followOnSurface(const Surface& surface, int v, ResultMesh& r)
+{
+	ResultVertex& record = r.vertex[v];
+	const Vec3f   step   = r.mesh.position[v] - record.point.position;
+	walkBy(surface, tangential(step, record.normal), record);
+}
+
 std::vector<int> facesAt(const HalfEdgeMesh& m, const SurfacePoint& at)
 {
 	constexpr float  rounding = 1e-4f; // of the edge
