@@ -132,6 +132,16 @@ TEST(RepairManifold, ManyFinsPairUp)
 	}
 }
 
+/// Far more sides than the repair compares at once.
+TEST(RepairManifold, HundredsOfFinsPairUp)
+{
+	for (int fins : {64, 65, 129, 400}) {
+		const Repaired r(finsOnEdge(fins));
+		expectManifold(r);
+		EXPECT_EQ(factsOf(r.after).components, (fins + 1) / 2) << fins;
+	}
+}
+
 TEST(RepairManifold, OrientsAlikeTheSideWithMoreAreaWins)
 {
 	Random       random(11);

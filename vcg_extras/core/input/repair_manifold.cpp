@@ -136,8 +136,10 @@ public:
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
 			if (end - begin > 2) noteFaulty(sides, begin, end);
-			if (end - begin > 2 && m_.junctions == JunctionMode::Cut)
-				joinSmoothest(sides, begin, end);
+			if (end - begin > 2 && m_.junctions == JunctionMode::Cut) {
+				for (std::size_t i = begin; i < end; i += mostCompared)
+					joinSmoothest(sides, i, std::min(i + mostCompared, end));
+			}
 			if (end - begin == 2) join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 		});
 		m_.counts.longestJunction = std::max(m_.counts.longestJunction, longestJunction());
@@ -145,6 +147,10 @@ public:
 	}
 
 private:
+	/// More faces at an edge are rare, and are paired in groups of this even number, because the
+	/// cost of a group grows with the third power.
+	static constexpr std::size_t mostCompared = 64;
+
 	Linked&                          m_;
 	std::vector<int>&                faulty_;
 	bool                             joinedReversed_ = false;
@@ -192,14 +198,11 @@ private:
 
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
-		// Fans of many faces at one edge are rare, but the pairing is quadratic: hence a bound.
-		constexpr std::size_t most = 64;
-		const std::size_t     n    = std::min(end - begin, most);
 		for (;;) {
 			float best  = HUGE_VALF;
 			int   bestG = -1, bestH = -1;
-			for (std::size_t i = begin; i < begin + n; ++i) {
-				for (std::size_t k = i + 1; k < begin + n; ++k) {
+			for (std::size_t i = begin; i < end; ++i) {
+				for (std::size_t k = i + 1; k < end; ++k) {
 					const int g = sides[i].halfEdge, h = sides[k].halfEdge;
 					if (m_.link[g] >= 0 || m_.link[h] >= 0) continue;
 					const float b = bend(g, h);
