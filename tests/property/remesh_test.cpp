@@ -232,11 +232,45 @@ TEST(RemeshReportTells, WhatHappened)
 	EXPECT_EQ(r.report.result.boundaryLoops, 1);
 	EXPECT_EQ(r.report.result.eulerCharacteristic, factsOf(r.mesh).euler());
 	EXPECT_NEAR(r.report.result.area, factsOf(r.mesh).area, 1e-4);
+}
+
+/// Expects the times of the stages to add up to the time of the call.
+void expectAllTimeInStages(const TriangleMesh& mesh, const RemeshOptions& options)
+{
+	const RemeshResult r = remesh(mesh.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	double sum = 0;
 	for (const StageTime& stage : r.report.stages)
 		sum += stage.seconds;
 	EXPECT_LE(sum, r.report.remeshSeconds * 1.0001);
 	EXPECT_GE(sum, r.report.remeshSeconds * 0.8 - 0.005);
+}
+
+/// One run, and calls that work before the first stage, run several times, or run on a part.
+TEST(RemeshReportTells, WhereTheTimeWent)
+{
+	const TriangleMesh mesh = torus(160, 80), sheet = grid(120, 120);
+	RemeshOptions      plain = percentOptions(20);
+	expectAllTimeInStages(mesh, plain);
+
+	RemeshOptions matched = plain;
+	matched.boundary      = BoundaryMode::Match;
+	expectAllTimeInStages(sheet, matched);
+
+	RemeshOptions symmetric = plain;
+	symmetric.symmetry      = Symmetry::Z;
+	expectAllTimeInStages(mesh, symmetric);
+
+	RemeshOptions detailed = plain;
+	detailed.targetMode    = TargetMode::Detail;
+	detailed.targetDetail  = Detail::Normal;
+	expectAllTimeInStages(mesh, detailed);
+
+	RemeshOptions bounded     = plain;
+	bounded.targetMode        = TargetMode::MaxError;
+	bounded.targetMaxError    = 1;
+	bounded.maxErrorIsPercent = true;
+	expectAllTimeInStages(mesh, bounded);
 }
 
 /// Expects the stages of the pipeline, in the order of its table.

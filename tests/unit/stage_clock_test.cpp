@@ -46,6 +46,40 @@ TEST_F(StageClocks, AddUpTheTimesOfAStage)
 		EXPECT_GE(time.seconds, 0.01);
 }
 
+/// Also after the end of a stage, and after a restart.
+TEST_F(StageClocks, CountTheTimeBeforeAStageInTheStage)
+{
+	const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
+	StageClock clock(workers_, Pipeline::Remeshing);
+	wait();
+	clock.restart({0, 1});
+	wait();
+	clock.enter(Stage::Load);
+	clock.finish();
+	wait();
+	clock.enter(Stage::Order);
+	const std::vector<StageTime>& stages = clock.finish();
+	ASSERT_EQ(stages.size(), 2u);
+	EXPECT_GE(stages[0].seconds, 0.01);
+	EXPECT_GE(stages[1].seconds, 0.005);
+}
+
+TEST_F(StageClocks, AddTheTimesOfAnotherClock)
+{
+	StageClock clock(workers_, Pipeline::Remeshing);
+	clock.enter(Stage::Load);
+	clock.finish();
+	std::this_thread::sleep_for(std::chrono::milliseconds(20));
+	clock.add({{"load", 100}, {"order", 10}});
+	clock.enter(Stage::Export);
+	const std::vector<StageTime>& stages = clock.finish();
+	ASSERT_EQ(stages.size(), 3u);
+	EXPECT_GE(stages[0].seconds, 100);
+	EXPECT_EQ(stages[1].stage, "order");
+	EXPECT_EQ(stages[1].seconds, 10);
+	EXPECT_LT(stages[2].seconds, 0.02) << "the time of the other clock is not counted twice";
+}
+
 TEST_F(StageClocks, TellTheShareOfTheStageBefore)
 {
 	StageClock clock(workers_, Pipeline::Remeshing);

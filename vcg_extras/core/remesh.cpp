@@ -113,7 +113,7 @@ void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, M
 	}
 	const RemeshOptions inside = optionsInside(call.options);
 	const MeshView      view   = part.view();
-	run({view, inside, call.progress, call.stop, cache}, out);
+	run({view, inside, call.progress, call.stop, cache, call.start}, out);
 	if (run != prepareInput) out = joinPart(call.input, part, call.options, std::move(out));
 }
 
@@ -145,19 +145,19 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0) || !validate(call.options).empty())
 		return remeshInput(call, out); // refuses the options
-	const auto          start = Clock::now();
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
 	inside.period               = {};
 	if (inside.timeLimitSeconds > 0)
-		inside.timeLimitSeconds = std::max(1e-3, inside.timeLimitSeconds - secondsSince(start));
+		inside.timeLimitSeconds =
+			std::max(1e-3, inside.timeLimitSeconds - secondsSince(call.start));
 	if (inside.targetMode == TargetMode::Percent) // percent of the input's vertices
 		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
 	MeshView view    = matched.view();
 	view.regionNames = call.input.regionNames;
-	remeshInput({view, inside, call.progress, call.stop, nullptr}, out);
+	remeshInput({view, inside, call.progress, call.stop, nullptr, call.start}, out);
 	nameCallers(call.input, matched, out);
 	out.report.input.vertices = std::int64_t(call.input.vertexNum); // not of the split mesh
 	out.report.input.faces    = std::int64_t(call.input.faceNum);

@@ -35,26 +35,37 @@ void StageClock::enter(Stage stage)
 
 void StageClock::restart(WorkShare whole)
 {
-	whole_      = whole;
-	stageStart_ = Clock::now();
-	key_        = nullptr;
+	whole_ = whole;
+	finish();
 	times_.clear();
 	beginPart(pipeline_, whole);
 }
 
 const std::vector<StageTime>& StageClock::finish()
 {
-	const double seconds = std::chrono::duration<double>(Clock::now() - stageStart_).count();
-	stageStart_          = Clock::now();
 	if (key_ == nullptr) return times_;
-	const auto isIt    = [&](const StageTime& s) { return s.stage == key_; };
-	const auto already = std::find_if(times_.begin(), times_.end(), isIt);
-	if (already == times_.end())
-		times_.push_back({key_, seconds});
-	else
-		already->seconds += seconds;
-	key_ = nullptr;
+	const Clock::time_point now = Clock::now();
+	add({key_, std::chrono::duration<double>(now - stageStart_).count()});
+	stageStart_ = now;
+	key_        = nullptr;
 	return times_;
+}
+
+void StageClock::add(const std::vector<StageTime>& stages)
+{
+	for (const StageTime& time : stages)
+		add(time);
+	stageStart_ = Clock::now();
+}
+
+void StageClock::add(const StageTime& time)
+{
+	const auto isSame  = [&](const StageTime& s) { return s.stage == time.stage; };
+	const auto already = std::find_if(times_.begin(), times_.end(), isSame);
+	if (already == times_.end())
+		times_.push_back(time);
+	else
+		already->seconds += time.seconds;
 }
 
 } // namespace gpr

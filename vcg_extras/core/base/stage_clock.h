@@ -24,14 +24,18 @@ struct WorkShare {
 /// that their seconds add up to the whole time.
 class StageClock {
 public:
-	/// whole: the range of this run, if a call runs the pipeline several times.
-	StageClock(Workers& workers, Pipeline pipeline, WorkShare whole = {}) :
-			workers_(workers), pipeline_(pipeline), whole_(whole), part_(whole), current_(pipeline),
-			stageStart_(Clock::now())
+	using Clock = std::chrono::steady_clock;
+
+	/// whole: the range of this run, if a call runs the pipeline several times. The first stage
+	/// counts from `start`.
+	StageClock(Workers& workers, Pipeline pipeline, WorkShare whole = {},
+			   Clock::time_point start = Clock::now()) :
+			workers_(workers),
+			pipeline_(pipeline), whole_(whole), part_(whole), current_(pipeline), stageStart_(start)
 	{
 	}
 
-	/// Drops all times and starts anew, for another range.
+	/// Ends the stage under way, drops all times and starts anew, for another range.
 	void restart(WorkShare whole);
 
 	/// Switches to the stages of another pipeline for the first part of the work, up to share
@@ -42,12 +46,13 @@ public:
 
 	/// Ends the stage under way. Begins `stage` and its progress.
 	void enter(Stage stage);
-	/// Ends the stage under way. Returns the total time of each stage, first entered first.
+	/// Ends the stage under way. Returns the total time of each stage, first entered first. The
+	/// next stage counts from here.
 	const std::vector<StageTime>& finish();
+	/// Adds the times of stages that another clock measured since finish().
+	void add(const std::vector<StageTime>& stages);
 
 private:
-	using Clock = std::chrono::steady_clock;
-
 	Workers&               workers_;
 	Pipeline               pipeline_;
 	WorkShare              whole_, part_; ///< part_: range of the pipeline under way
@@ -58,6 +63,7 @@ private:
 	double                 share_ = 0; ///< progress of the pipeline under way
 
 	void beginPart(Pipeline pipeline, WorkShare part);
+	void add(const StageTime& time);
 };
 
 } // namespace gpr

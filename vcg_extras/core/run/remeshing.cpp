@@ -55,7 +55,7 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 Setup::Setup(const Call& call, Pipeline pipeline) :
 		options(resolved(call.input, pipeline, call.options)),
 		workers(options.threads, call.progress, options.timeLimitSeconds, call.stop),
-		run{call.input, options, workers, StageClock(workers, pipeline), {}, {}}
+		run{call.input, options, workers, StageClock(workers, pipeline, {}, call.start), {}, {}}
 {
 	if (pipeline != Pipeline::Detection) run.notes = optionsWithoutEffect(call.options);
 }
@@ -65,7 +65,7 @@ Remeshing::Remeshing(const Call& call, Pipeline pipeline, const Request& request
 		cache_(call.cache), request_{setup_.options,  std::int64_t(call.input.vertexNum),
 									 request.purpose, request.sampleNum,
 									 request.goal,    request.diagonal},
-		plan_(request_)
+		plan_(request_), start_(call.start)
 {
 	if (cache_ == nullptr && request.goal) cache_ = &ownCache_;
 }
@@ -111,17 +111,19 @@ void Remeshing::takeStep()
 Told Remeshing::told()
 {
 	if (refused_) return *refused_;
-	return isDone() ? bestTold_ : tellOf(setup_.run, made_, plan_.decisions());
+	Told told = isDone() ? bestTold_ : tellOf(setup_.run, made_, plan_.decisions());
+	if (runNum_ > 1) told.addOtherRuns(start_);
+	return told;
 }
 
 void Remeshing::endTrials()
 {
-	bestTold_.addTrials(plan_.goal().largest, plan_.trialNum(), trialSeconds_,
-						plan_.outcomeForError());
+	bestTold_.addTrials(plan_.goal().largest, plan_.trialNum(), plan_.outcomeForError());
 }
 
 void Remeshing::beginRun()
 {
+	++runNum_;
 	made_            = Products();
 	setup_.run.notes = firstNotes_;
 	setup_.run.capsReached.clear();
@@ -148,7 +150,6 @@ void Remeshing::exportAll()
 	if (given != nullptr) nameSamples(*given, made_.samples.isMoved, made_.result, result);
 	Told told = tellOf(setup_.run, made_, plan_.decisions());
 	if (given != nullptr) told.report.targetVertexNum = facts.vertexNum;
-	trialSeconds_ += told.stageSeconds();
 	plan_.judge(facts);
 	if (!plan_.isBest()) return;
 	best_     = std::move(result);

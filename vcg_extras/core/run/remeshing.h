@@ -33,6 +33,8 @@ struct Call {
 	const ProgressCallback& progress;
 	const StopRequest*      stop  = nullptr;
 	InputCache*             cache = nullptr; ///< null: no other run uses the input
+	/// The beginning of the whole call, for the times of stages.
+	StageClock::Clock::time_point start = StageClock::Clock::now();
 };
 
 /// The common parts of all pipelines: options in force, threads and run context.
@@ -96,18 +98,19 @@ public:
 	Told             told();
 
 private:
-	Setup                    setup_;
-	std::vector<std::string> firstNotes_; ///< about the options
-	InputCache*              cache_;
-	InputCache               ownCache_; ///< for the trials of one call
-	Request                  request_;
-	Plan                     plan_;
-	Products                 made_;
-	FineSpots                spots_; ///< places beyond the error bound in the trials so far
-	RemeshResult             best_;
-	Told                     bestTold_;
-	double                   trialSeconds_ = 0; ///< of all stages of all trials
-	std::optional<Told>      refused_;          ///< told by the run with the refused count
+	Setup                         setup_;
+	std::vector<std::string>      firstNotes_; ///< about the options
+	InputCache*                   cache_;
+	InputCache                    ownCache_; ///< for the trials of one call
+	Request                       request_;
+	Plan                          plan_;
+	Products                      made_;
+	FineSpots                     spots_; ///< places beyond the error bound in the trials so far
+	RemeshResult                  best_;
+	Told                          bestTold_;
+	std::optional<Told>           refused_;    ///< told by the run with the refused count
+	int                           runNum_ = 0; ///< begun
+	StageClock::Clock::time_point start_;
 
 	template <class Facts>
 	void judge(const Facts& facts)

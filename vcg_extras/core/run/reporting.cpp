@@ -4,7 +4,7 @@
 
 #include <vcg_extras/core/sampling/target.h>
 
-#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace gpr {
@@ -88,24 +88,8 @@ Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
 	return told;
 }
 
-double Told::stageSeconds() const
-{
-	double sum = 0;
-	for (const StageTime& s : report.stages)
-		sum += s.seconds;
-	return sum;
-}
-
 void Told::addHalf(RemeshReport half)
 {
-	for (const StageTime& s : half.stages) {
-		const auto same = std::find_if(report.stages.begin(), report.stages.end(),
-									   [&](const StageTime& t) { return t.stage == s.stage; });
-		if (same == report.stages.end())
-			report.stages.push_back(s);
-		else
-			same->seconds += s.seconds;
-	}
 	half.capsReached.insert(half.capsReached.end(), report.capsReached.begin(),
 							report.capsReached.end());
 	half.stages                     = std::move(report.stages);
@@ -127,9 +111,17 @@ void Told::addHalf(RemeshReport half)
 	report                          = std::move(half);
 }
 
-void Told::addTrials(double goal, int trialNum, double seconds, const std::string& outcome)
+void Told::addOtherRuns(StageClock::Clock::time_point start)
 {
-	report.stages.push_back({"otherTrials", seconds - stageSeconds()});
+	const std::chrono::duration<double> whole = StageClock::Clock::now() - start;
+	double                              other = whole.count();
+	for (const StageTime& s : report.stages)
+		other -= s.seconds;
+	report.stages.push_back({"otherTrials", other});
+}
+
+void Told::addTrials(double goal, int trialNum, const std::string& outcome)
+{
 	report.errorGoal     = goal;
 	report.errorTrialNum = trialNum;
 	notes.push_back(outcome);

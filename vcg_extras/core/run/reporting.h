@@ -6,6 +6,7 @@
 #include "products.h"
 
 #include <vcg_extras/core/base/run_context.h>
+#include <vcg_extras/core/base/stage_clock.h>
 #include <vcg_extras/core/report.h>
 
 #include <string>
@@ -19,10 +20,12 @@ struct Told {
 	RemeshReport             report;
 	std::vector<std::string> notes;
 
-	double stageSeconds() const;
-	/// Adds the trials for an error bound. seconds: of all trials.
-	void addTrials(double goal, int trialNum, double seconds, const std::string& outcome);
-	/// Merges the report of the run on half of a symmetric surface. Figures of the whole mesh stay.
+	/// Adds the trials for an error bound.
+	void addTrials(double goal, int trialNum, const std::string& outcome);
+	/// Adds the time since the start of a call with several runs, less the time of this run.
+	void addOtherRuns(StageClock::Clock::time_point start);
+	/// Merges the report of the run on half of a symmetric surface. Figures of the whole mesh, and
+	/// the times of stages, stay.
 	void addHalf(RemeshReport half);
 	template <class Result>
 	void handOver(Result& out)

@@ -217,7 +217,9 @@ private:
 			};
 		}
 		ofRun_ = RemeshResult();
-		remeshInput({view_, ofHalfOptions, progress, call_.stop, nullptr}, ofRun_);
+		run_.clock.finish();
+		remeshInput({view_, ofHalfOptions, progress, call_.stop}, ofRun_);
+		run_.clock.add(ofRun_.report.stages);
 	}
 
 	std::int64_t wholeVertexNum() const
