@@ -82,6 +82,27 @@ TEST(Retriangulate, KeepsTheTopologyWhereSamplesAreTooFew)
 	EXPECT_GE(r.report.leftoverVertexNum, 6);
 }
 
+/// Vertices of a component without a sample belong to no cell. The component stays, with the fewest
+/// vertices that its topology allows.
+TEST(Retriangulate, KeepsComponentsWithoutASample)
+{
+	const TriangleMesh   sampled = torus(90, 46);
+	const SamplingResult s       = samplePoissonDisks(sampled.view(), someOptions());
+	TriangleMesh         mesh    = joined(shifted(icosphere(3), {9, 0, 0}), sampled);
+	mesh                         = joined(mesh, shifted(grid(20, 20), {0, 9, 0}));
+	for (Preset preset : {Preset::Default, Preset::Fast, Preset::Paper}) {
+		RemeshOptions options = someOptions();
+		options.preset        = preset;
+		const RemeshResult r  = retriangulate(mesh.view(), s.points, options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		const std::int64_t more = std::int64_t(r.mesh.vertexNum() - s.points.size());
+		EXPECT_EQ(r.report.leftoverVertexNum, more);
+		EXPECT_EQ(more, 4 + 3) << "a tetrahedron and a triangle";
+	}
+}
+
 TEST(Retriangulate, KeepsTheBorderOfAnOpenSurface)
 {
 	const TriangleMesh   mesh = openCylinder(60, 60, 0.5, 1.5);

@@ -12,7 +12,8 @@
 namespace gpr {
 
 /// Voronoi cells of given samples of any spacing: the nearest sample of each vertex by lengths of
-/// paths over edges. Sample -1 for vertices reached by no sample. Cost: Dijkstra's algorithm from
+/// paths over edges. Sample -1 for vertices of components without a sample; a Voronoi dual has
+/// these vertices one by one, like the vertices of an open cell. Cost: Dijkstra's algorithm from
 /// all samples at once, serial.
 Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
 											  const std::vector<Sample>& samples, Workers& workers);
