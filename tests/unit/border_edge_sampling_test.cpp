@@ -291,6 +291,31 @@ TEST(BorderEdgeSampling, EndsAtTheMostSamples)
 	EXPECT_EQ(s.sampling.samples.size(), 17u);
 }
 
+/// The cap is reached only if another sample is wanted.
+TEST(BorderEdgeSampling, IsCappedOnlyWhereTheCapLeavesAGap)
+{
+	Workers            workers(1, nullptr);
+	const Surface      surface = surfaceOf(icosphere(4), workers);
+	const Buffer<char> region(surface.mesh.vertexNum, 1);
+	BorderEdgeOptions  options;
+	options.radius         = 0.1f;
+	const auto sampledWith = [&](std::int64_t most) {
+		options.maxSamples = most;
+		return sampleBorderEdges(surface, BoundaryCurves(), options, workers).sampling;
+	};
+	for (const Buffer<char>* first : {static_cast<const Buffer<char>*>(nullptr), &region}) {
+		options.region   = first;
+		const auto whole = std::int64_t(sampledWith(1 << 30).samples.size());
+		ASSERT_GT(whole, 50);
+		const Sampling enough = sampledWith(whole), less = sampledWith(whole - 1);
+		EXPECT_FALSE(enough.capped);
+		EXPECT_EQ(std::int64_t(enough.samples.size()), whole);
+		EXPECT_TRUE(less.capped);
+		EXPECT_EQ(std::int64_t(less.samples.size()), whole - 1);
+		EXPECT_EQ(sampledWith(20).samples.size(), 20u);
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -158,12 +158,6 @@ private:
 		if (isStretched()) stretch_.resize(vertexRoom);
 	}
 
-	bool hasRoom()
-	{
-		capped_ = capped_ || std::int64_t(samples_.size()) >= options_.maxSamples;
-		return !capped_;
-	}
-
 	// ---- sources of samples
 
 	/// Whether v may be part of a border edge now. New vertices are samples, or lie on the border.
@@ -185,8 +179,8 @@ private:
 	{
 		int start = -1;
 		do {
-			while (drawBorderEdge() && hasRoom()) {}
-			start = hasRoom() ? findStart() : -1;
+			while (!capped_ && drawBorderEdge()) {}
+			start = capped_ ? -1 : findStart();
 			if (start >= 0) placeAtVertex(start);
 		} while (start >= 0);
 	}
@@ -374,6 +368,8 @@ private:
 	/// Steps 6 and 7, and step 3 for the disk, which has been explored already.
 	void accept(const Place& place)
 	{
+		capped_ = std::int64_t(samples_.size()) >= options_.maxSamples;
+		if (capped_) return;
 		Sample    sample  = place.sample;
 		const int face    = sample.point.face;
 		const int v       = place.vertex >= 0 ? place.vertex : split(place);
