@@ -65,6 +65,29 @@ std::vector<int> tableOf(const HalfEdgeMesh& m)
 
 } // namespace
 
+/// A budget that is spent with the last bad face ends no search.
+TEST(LocalSearches, TellABudgetOnlyIfItLeavesBadFaces)
+{
+	int  attempts = 0;
+	bool isLeft   = true;
+	for (; isLeft; ++attempts) {
+		ASSERT_LT(attempts, 1000);
+		TriangleMesh mesh = grid(12, 12);
+		mesh.positions[45] += Vec3d(0.06, 0.05, 0);
+		OnSurface    on(mesh);
+		std::int64_t work = 100000000;
+		LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, on.workers);
+		Goal         goal    = smallAngles(search, 32 * radians, keepingCount);
+		goal.budget.attempts = attempts;
+		const bool isDone    = search.run(goal);
+		isLeft               = !search.findBad(goal).empty();
+		EXPECT_EQ(isDone, !isLeft) << attempts;
+		work = 0;
+		EXPECT_EQ(search.run(goal), !isLeft) << attempts;
+	}
+	EXPECT_GT(attempts, 2);
+}
+
 TEST(RepairPoorFaces, SplitsWhatMovesAndFlipsCannotRepair)
 {
 	OnSurface on = squareAndRibbon();

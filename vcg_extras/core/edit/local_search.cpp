@@ -48,16 +48,16 @@ bool LocalSearch::run(const Goal& goal)
 {
 	goal_     = &goal;
 	attempts_ = goal.budget.attempts;
-	if (isExhausted()) return false;
-	failed_              = FailedAttempts(m_.vertexNum + spare_);
-	std::vector<int> bad = findBad(goal);
+	failed_   = FailedAttempts(m_.vertexNum + spare_);
 
+	std::vector<int> bad = findBad(goal);
+	if (isExhausted()) return bad.empty();
 	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
 		touched_.clear();
 		for (int f : worstFirst(bad)) {
 			workers_.poll();
 			improveAt(f);
-			if (isExhausted()) return false;
+			if (isExhausted()) return findBad(goal).empty();
 		}
 		if (touched_.empty()) break;
 		// Only faces bad before, or changed, can be bad now.

@@ -54,7 +54,7 @@ public:
 	LocalSearch(const Surface& surface, const BoundaryCurves& curves, Assignment* assignment,
 				std::int64_t& work, ResultMesh& result, Workers& workers, int spareVertexNum = 0);
 
-	/// False if the budget ended before the search did.
+	/// False if the budget ended the search and bad faces are left.
 	bool             run(const Goal& goal);
 	std::vector<int> findBad(const Goal& goal) const;
 
