@@ -4,6 +4,8 @@
 // computed from the list of triangles alone.
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
+#include <tests/support/run_options.h>
+#include <vcg_extras/core/prepared_surface.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
@@ -250,14 +252,36 @@ TEST(Junctions, CubesThatShareAnEdge)
 	EXPECT_NEAR(facts.length, 6, 1e-6);
 }
 
+void expectSharedCorner(const RemeshResult& result)
+{
+	const auto isMiddle = [](const Vec3d& p) { return p == Vec3d(5, 5, 5); };
+	EXPECT_EQ(std::count_if(result.mesh.positions.begin(), result.mesh.positions.end(), isMiddle),
+			  1);
+}
+
 TEST(Junctions, CubesThatShareACorner)
 {
 	const Complex      cubes  = touchingCubes(5, true);
 	const RemeshResult result = remeshed(cubes, 150);
 	expectKept(cubes, result, 150);
-	const auto isMiddle = [](const Vec3d& p) { return p == Vec3d(5, 5, 5); };
-	EXPECT_EQ(std::count_if(result.mesh.positions.begin(), result.mesh.positions.end(), isMiddle),
-			  1);
+	expectSharedCorner(result);
+}
+
+/// Small components are dropped after the sheets are separated; a prepared surface then copies the
+/// separated mesh.
+TEST(Junctions, StayInAPreparedSurface)
+{
+	const Complex cubes = touchingCubes(5, true);
+	MeshView      view  = cubes.mesh.view();
+	view.region         = cubes.region.data();
+	PreparedSurface surface(view);
+	RemeshOptions   o         = countOptions(150);
+	o.junctions               = JunctionMode::Keep;
+	o.dropComponentsBelow     = 10;
+	o.check                   = true;
+	const RemeshResult result = surface.remesh(o);
+	expectKept(cubes, result, 150);
+	expectSharedCorner(result);
 }
 
 TEST(Junctions, ASlitOfOneEdge)

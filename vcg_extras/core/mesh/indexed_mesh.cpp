@@ -57,6 +57,7 @@ IndexedMesh copyOf(const IndexedMesh& from, Workers& workers)
 	to.triangle   = copyOf(from.triangle, workers);
 	to.sourceFace = copyOf(from.sourceFace, workers);
 	to.size       = copyOf(from.size, workers);
+	to.meetings   = from.meetings;
 	return to;
 }
 
