@@ -9,6 +9,7 @@
 #include <vcg_extras/io/formats/three_mf.h>
 #include <vcg_extras/io/mesh_io.h>
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -74,6 +75,26 @@ TEST_F(LibraryFormats, AreNamedWithTheirLibraryWhereItIsMissing)
 		const ProgramResult made = run({"remesh", in, file, "--vertices", "100"});
 		EXPECT_EQ(made.exitCode, format.isThere ? 0 : 2) << made.err;
 		EXPECT_EQ(made.err.find(format.library) == std::string::npos, format.isThere) << made.err;
+	}
+}
+
+/// Texts name the formats of the build, and no other formats.
+TEST_F(LibraryFormats, AreNamedInTextsOfBuildsWithTheLibrary)
+{
+	const std::vector<std::vector<std::string>> calls = {
+		{"remesh", "--help"},   {"levels", "--help"}, {"info", "--help"},   {"compare", "--help"},
+		{"features", "--help"}, {"--manual-page"},    {"info", "scan.tiff"}};
+	for (const std::vector<std::string>& call : calls) {
+		const ProgramResult made = run(call);
+		std::string         text = made.out + made.err;
+		std::replace(text.begin(), text.end(), '\n', ' ');
+		const auto isRun = [](char a, char b) { return a == ' ' && b == ' '; };
+		text.erase(std::unique(text.begin(), text.end(), isRun), text.end());
+		EXPECT_NE(text.find(gpr::app::formatNames()), std::string::npos) << call.front();
+		for (const Format& format : libraryFormats()) {
+			const bool isNamed = text.find(format.extension) != std::string::npos;
+			EXPECT_EQ(isNamed, format.isThere) << call.front() << format.extension;
+		}
 	}
 }
 

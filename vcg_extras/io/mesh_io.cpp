@@ -116,7 +116,7 @@ std::string formatNames()
 	std::string names = ".ply, .obj, .off, .stl";
 	if (hasGltfText()) names += ", .gltf";
 	if (hasThreeMf()) names += ", .3mf";
-	return names + " and .glb";
+	return names + " or .glb";
 }
 
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)

@@ -23,8 +23,8 @@ nb::dict remeshCommandTexts()
 	}
 	nb::dict texts;
 	texts["description"] = app::remeshDescription;
-	texts["in"]          = app::inHelp;
-	texts["out"]         = app::outHelp;
+	texts["in"]          = app::inHelp().c_str();
+	texts["out"]         = app::outHelpOfRemesh().c_str();
 	texts["options"]     = options;
 	texts["everyday"]    = everydayGroup;
 	return texts;

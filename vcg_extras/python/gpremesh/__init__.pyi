@@ -729,7 +729,7 @@ def read(
     Parameters
     ----------
     path : str or path-like
-        A file in the format PLY, OBJ, OFF, STL or binary glTF, by extension.
+        A file in a format of the command line, by extension, such as .ply or .glb.
 
     Returns
     -------
@@ -762,8 +762,8 @@ def write(
     Parameters
     ----------
     path : str or path-like
-        A file to write or replace, in the format PLY, OBJ, OFF, STL or binary glTF, by extension. After
-        a failure an older file is unchanged.
+        A file to write or replace, in a format of the command line, by extension, such as .ply or .glb.
+        After a failure an older file is unchanged.
     mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object with both as attributes
         A FileMesh is written with all values that the format can hold, a RemeshResult with its texture
         coordinates. A warning names the values that the format cannot hold.

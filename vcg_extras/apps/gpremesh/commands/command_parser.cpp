@@ -105,10 +105,7 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 
 void addOutput(CLI::App& command, CommandLine& line)
 {
-	command
-		.add_option("OUT", line.output,
-					"Mesh to write: .ply, .obj, .off, .stl, .glb, .gltf or .3mf; may be IN")
-		->required();
+	command.add_option("OUT", line.output, outHelp())->required();
 }
 
 /// The file names of a command.
@@ -128,8 +125,8 @@ struct Files {
 CLI::App* addRemesh(CLI::App& app, RemeshWords& words, Files& files)
 {
 	CLI::App* remesh = app.add_subcommand("remesh", remeshDescription);
-	remesh->add_option("IN", files.in, inHelp)->required();
-	remesh->add_option("OUT", files.out, outHelp);
+	remesh->add_option("IN", files.in, inHelp())->required();
+	remesh->add_option("OUT", files.out, outHelpOfRemesh());
 	remesh->add_option("MORE", files.more, "With --out-dir: further input meshes");
 	addInGroups(*remesh, words.options());
 	remesh->footer(exitCodeHelp);
@@ -167,7 +164,7 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"levels", "Remeshes IN to several sizes, such as levels of detail, and writes a file for\n"
 				  "each size. IN is read and prepared once. Each level has a proven bound of the\n"
 				  "distance from IN.");
-	levels->add_option("IN", line.input, inHelp)->required();
+	levels->add_option("IN", line.input, inHelp())->required();
 	levels
 		->add_option("OUT", line.output,
 					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
@@ -187,7 +184,7 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
 	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
-	info->add_option("IN", line.input, inHelp)->required();
+	info->add_option("IN", line.input, inHelp())->required();
 	info->add_flag("--json", line.json, "Print JSON");
 	info->footer(exitCodeHelp);
 	return info;
@@ -211,7 +208,7 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"compare",
 		"Remeshes IN with these options, with the preset paper and by MeshLab's Quadric\n"
 		"Edge Collapse. Prints a table of times, distances from IN and triangle quality.");
-	compare->add_option("IN", line.input, inHelp)->required();
+	compare->add_option("IN", line.input, inHelp())->required();
 	addInGroups(*compare, tableOptions(RemeshTool, given, isForCompare));
 	compare->add_flag("--isotropic", line.isotropic,
 					  "Also run MeshLab's Isotropic Explicit Remeshing");
@@ -235,7 +232,7 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"features",
 		"Detects crease edges and cone apexes of IN. OUT is the same mesh with the strength of\n"
 		"each vertex, in degrees, as quality and as colour, and with the features selected.");
-	features->add_option("IN", line.input, inHelp)->required();
+	features->add_option("IN", line.input, inHelp())->required();
 	features->add_option("OUT", line.output, "Mesh to write: .ply; may be IN")->required();
 	addTableOptions(*features, FeatureTool, given);
 	addOutcome(*features, line, "Write thresholds and counts as JSON");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "manual_page.h"
 
+#include <vcg_extras/io/mesh_io.h>
+
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -22,7 +24,10 @@ const char* const description =
 	"crease edges and borders. Every result is checked before the program writes a file; a faulty\n"
 	"result is withheld.\n"
 	".PP\n"
-	"The extension of a file decides the format: PLY, OBJ, OFF, STL or GLB.\n"
+	"The extension of a file decides the format: ";
+
+const char* const promises =
+	".\n"
 	"Only a complete OUT replaces an older file: after a failure the older file is unchanged.\n"
 	"The same input, options and seed give the same bytes, with any number of threads, on every\n"
 	"system.\n";
@@ -149,7 +154,8 @@ std::string manualPage(const CLI::App& program)
 	synopsis += "\\fBgpremesh \\-\\-help\\fR | \\fB\\-\\-version\\fR\n";
 	return std::string(".\\\" -*- coding: utf-8 -*-\n.TH GPREMESH 1 \"\" \"gpremesh ") +
 		   GPR_VERSION + "\" \"User Commands\"\n" + nameAndWhat + synopsis + description +
-		   chapters + exitStatus(commands.front()->get_footer()) + examples;
+		   formatNames() + promises + chapters + exitStatus(commands.front()->get_footer()) +
+		   examples;
 }
 
 } // namespace gpr::app

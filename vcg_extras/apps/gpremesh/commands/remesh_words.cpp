@@ -57,10 +57,21 @@ const char* const remeshDescription =
 	"Remeshes IN with nearly equilateral triangles of equal size and writes OUT. The\n"
 	"size is one of --vertices, --faces, --percent, --edge-length, --max-error and\n"
 	"--detail, by default 10 % of the vertices of IN.";
-const char* const inHelp = "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf";
-const char* const outHelp =
-	"Mesh to write: .ply, .obj, .off, .stl, .glb, .gltf or .3mf; may be IN. With --out-dir\n"
-	"another input mesh";
+
+std::string inHelp()
+{
+	return "Mesh to read: " + formatNames();
+}
+
+std::string outHelp()
+{
+	return "Mesh to write: " + formatNames() + "; may be IN";
+}
+
+std::string outHelpOfRemesh()
+{
+	return outHelp() + ".\nWith --out-dir another input mesh";
+}
 
 const std::vector<std::string> commandNames = {"remesh",   "levels",  "info",
 											   "features", "compare", "tile"};

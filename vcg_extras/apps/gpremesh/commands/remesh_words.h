@@ -37,9 +37,10 @@ private:
 
 /// The description of `gpremesh remesh`.
 extern const char* const remeshDescription;
-/// The help texts of IN and OUT.
-extern const char* const inHelp;
-extern const char* const outHelp;
+/// The help texts of IN, of OUT, and of OUT of `gpremesh remesh`.
+std::string inHelp();
+std::string outHelp();
+std::string outHelpOfRemesh();
 
 /// The commands of the program.
 extern const std::vector<std::string> commandNames;
