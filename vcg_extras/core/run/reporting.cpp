@@ -111,6 +111,11 @@ void Told::addHalf(RemeshReport half)
 	report                          = std::move(half);
 }
 
+void addTimes(const RemeshResult& half, StageClock& clock)
+{
+	clock.add(half.report.stages);
+}
+
 void Told::addOtherRuns(StageClock::Clock::time_point start)
 {
 	const std::chrono::duration<double> whole = StageClock::Clock::now() - start;

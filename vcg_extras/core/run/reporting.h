@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/base/stage_clock.h>
 #include <vcg_extras/core/report.h>
+#include <vcg_extras/core/results.h>
 
 #include <string>
 #include <utility>
@@ -38,6 +39,9 @@ struct Told {
 /// The report and the notes about the products of a run. No other function writes a report, and
 /// nothing reads a report before the run ends (scripts/check/report_reads).
 Told tellOf(RunContext& run, const Products& made, const Decisions& decisions);
+
+/// Adds the times of the stages of a run on half of a surface to the clock of the whole.
+void addTimes(const RemeshResult& half, StageClock& clock);
 
 } // namespace gpr
 

@@ -219,7 +219,7 @@ private:
 		ofRun_ = RemeshResult();
 		run_.clock.finish();
 		remeshInput({view_, ofHalfOptions, progress, call_.stop}, ofRun_);
-		run_.clock.add(ofRun_.report.stages);
+		addTimes(ofRun_, run_.clock);
 	}
 
 	std::int64_t wholeVertexNum() const
