@@ -200,6 +200,43 @@ TEST(Symmetry, FewVerticesAreHadOrRefused)
 	}
 }
 
+/// A cylinder without its ends, round the z axis. width: of its radius along x.
+TriangleMesh tube(double width)
+{
+	constexpr int around = 48, along = 25;
+	TriangleMesh  mesh;
+	for (int j = 0; j < along; ++j) {
+		for (int i = 0; i < around; ++i) {
+			const double turn = 2 * 3.141592653589793 * i / around;
+			mesh.positions.push_back(
+				{width * std::cos(turn), std::sin(turn), 2.0 * j / (along - 1)});
+		}
+	}
+	for (std::int32_t v = 0; v + around < std::int32_t(mesh.vertexNum()); ++v) {
+		const std::int32_t next = v % around + 1 < around ? v + 1 : v + 1 - around;
+		for (const std::int32_t w : {v, next, next + around, v, next + around, v + around})
+			mesh.triangles.push_back(w);
+	}
+	return mesh;
+}
+
+/// With few vertices, an open border of the half could have no vertex off the plane.
+TEST(Symmetry, TubesWithFewVerticesStayOpen)
+{
+	for (const double width : {1.0, 0.05}) {
+		const TriangleMesh mesh = tube(width);
+		for (int num = 5; num <= 16; ++num) {
+			const RemeshResult result = remesh(mesh.view(), symmetric(Symmetry::X, num));
+			EXPECT_EQ(result.status, num < 8 ? Status::CountTooSmall : Status::Ok)
+				<< num << result.message;
+			if (result.status != Status::Ok) continue;
+			EXPECT_EQ(int(result.mesh.vertexNum()), num);
+			EXPECT_TRUE(hasSameTopology(result.mesh, mesh));
+			expectSymmetric(result.mesh, 0, 0);
+		}
+	}
+}
+
 TEST(Symmetry, HalvesThatDoNotTouchThePlaneAreTwo)
 {
 	TriangleMesh       mesh  = movedBy(icosphere(3), {1.02, 0, 0});

@@ -69,8 +69,9 @@ public:
 	{
 	}
 
-	std::int64_t                                  keptNum = 0;
-	std::int64_t                                  euler   = 2; ///< of a surface without border
+	std::int64_t                                  keptNum   = 0;
+	std::int64_t                                  euler     = 2; ///< of a surface without border
+	std::int64_t                                  countStep = 1; ///< of vertices
 	std::function<LineFacts(const Decisions&)>    lines;
 	std::function<SampleFacts(const Decisions&)>  samples;
 	std::function<MeshFacts(const Decisions&)>    mesh;
@@ -112,6 +113,13 @@ private:
 
 	std::int64_t facesOf(std::int64_t vertexNum) const { return 2 * (vertexNum - euler); }
 
+	SizeFacts sizesOf(const Decisions& d) const
+	{
+		SizeFacts facts{keptNum, euler};
+		facts.countStep = d.faceNum > 0 ? 2 : countStep;
+		return facts;
+	}
+
 	void take(Step step)
 	{
 		steps.push_back(step);
@@ -132,7 +140,7 @@ private:
 		case Step::Surface:
 			return tell(plan_.judge(SurfaceFacts{mustSew && d.sewing == Sewing::NotYet}));
 		case Step::Sizes:
-			return tell(plan_.judge(SizeFacts{keptNum, euler, 0}));
+			return tell(plan_.judge(sizesOf(d)));
 		case Step::Lines:
 			return tell(plan_.judge(lines ? lines(d) : LineFacts()));
 		case Step::Samples:
@@ -260,6 +268,25 @@ TEST(Plan, NamesTheTwoEvenNumbersBesideAnOddOneOfAClosedSurface)
 	EXPECT_TRUE(even.isTaken());
 	EXPECT_EQ(even.decisions().faceNum, 1000);
 	EXPECT_TRUE(even.says("1000 faces (502 vertices) instead of 1001 faces"));
+}
+
+/// Two halves that do not touch the mirror plane have an even number of vertices together.
+TEST(Plan, CountsOfTwoHalvesAreEven)
+{
+	PlannedRun ordered(order(501));
+	ordered.countStep = 2;
+	EXPECT_FALSE(ordered.go().isTaken());
+	EXPECT_EQ(ordered.failure->status, Status::BadOptions);
+	EXPECT_TRUE(ordered.says("500 and 502"));
+	PlannedRun wished(wish(501));
+	wished.countStep = 2;
+	EXPECT_TRUE(wished.go().isTaken());
+	EXPECT_EQ(wished.decisions().vertexNum, 500);
+	EXPECT_TRUE(wished.says("500 vertices instead of 501"));
+	PlannedRun even(order(500));
+	even.countStep = 2;
+	EXPECT_TRUE(even.go().isTaken());
+	EXPECT_TRUE(even.told.empty());
 }
 
 TEST(Plan, NamesTwoNumbersOfFacesThatWereMadeWhereOneIsTooSmall)

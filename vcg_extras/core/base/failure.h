@@ -18,7 +18,6 @@ struct Failure {
 	std::string  message;               ///< a sentence for the user
 	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the least possible count
 	std::int64_t smallestFaceNum   = 0; ///< likewise for a target of faces; 0: not known
-	std::int64_t nextFaceNum       = 0; ///< another number in the message; 0: none
 
 	Failure(Status s, std::string m, std::int64_t smallest = 0, std::int64_t smallestFaces = 0) :
 			status(s), message(std::move(m)), smallestVertexNum(smallest),

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -247,6 +248,14 @@ std::vector<char> findCreaseCorners(const Curve& c, float window)
 	return corners;
 }
 
+/// Whether the border leaves the mirror plane at a vertex on the plane.
+bool leavesMirror(const HalfEdgeMesh& m, int v)
+{
+	return m.isOnMirror(v) && m.isBorderVertex(v) &&
+		   !(m.isOnMirror(borderNeighbour(m, v, true)) &&
+			 m.isOnMirror(borderNeighbour(m, v, false)));
+}
+
 /// A sample with its arc on the curve at hand.
 struct Mark {
 	float arc;
@@ -357,7 +366,7 @@ private:
 	std::unique_ptr<SharedBorders> shared_; ///< or null
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
-	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
+	bool isStop(int v) const { return isNode(m_, v) || isKept(v) || leavesMirror(m_, v); }
 	/// Whether the curve is too short for three samples.
 	bool isTooShort(const Curve& c) const
 	{

@@ -277,8 +277,10 @@ ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& con
 	if (others.empty()) return outcome;
 	outcome = makeAnew(making, ofInput, others, result, workers);
 	if (outcome.isRefused) return outcome;
-	figures.vertexNum = std::count_if(result.vertex.begin(), result.vertex.end(),
-									  [](const ResultVertex& v) { return v.isMade; });
+	figures.vertexNum = 0;
+	for (std::size_t v = 0; v < result.vertex.size(); ++v)
+		figures.vertexNum +=
+			result.vertex[v].isMade ? result.mesh.multiplicity(result.mesh.position[v]) : 0;
 	if (figures.vertexNum == 0) return outcome;
 	outcome.hasMade = true;
 	figures.pairNum = std::int64_t(contacts.find(result.mesh, workers).size());

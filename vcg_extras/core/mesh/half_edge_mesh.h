@@ -70,6 +70,14 @@ struct HalfEdgeMesh {
 		return mirrorAxis >= 0 && coordinate(position[v], mirrorAxis) == 0;
 	}
 
+	/// The number of sides of the mirror plane that the mesh stands for: 2 for half a mesh.
+	int sideNum() const { return mirrorAxis >= 0 ? 2 : 1; }
+	/// The number of vertices of the whole mesh for a vertex at a place.
+	int multiplicity(const Vec3f& place) const
+	{
+		return mirrorAxis >= 0 && coordinate(place, mirrorAxis) != 0 ? 2 : 1;
+	}
+
 	/// A new place for v, projected to the mirror plane if v lies on the plane.
 	template <class S>
 	Vec3<S> keptOnMirror(int v, Vec3<S> place) const

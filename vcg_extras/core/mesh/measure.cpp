@@ -343,10 +343,11 @@ double borderLength(const HalfEdgeMesh& m)
 {
 	double sum = 0;
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		if (m.isBorderEdge(h))
-			sum += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
+		const int a = m.origin[h], b = m.target(h);
+		if (m.isBorderEdge(h) && !(m.isOnMirror(a) && m.isOnMirror(b)))
+			sum += double(length(m.position[b] - m.position[a]));
 	}
-	return sum;
+	return sum * m.sideNum();
 }
 
 std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)

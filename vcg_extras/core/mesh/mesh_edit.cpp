@@ -171,14 +171,13 @@ bool mirrorAllowsCollapse(const HalfEdgeMesh& m, int h, const std::vector<int>& 
 }
 
 /// Whether v may be merged into b, its neighbour on the border: vertices stay on the mirror plane,
-/// a part of the border on the plane keeps an edge, and no inner edge becomes its own mirror image.
-/// scratch.ringA: the neighbours of v.
+/// a part of the border on the plane keeps its ends, and no inner edge becomes its own mirror
+/// image. scratch.ringA: the neighbours of v.
 bool mirrorAllowsCollapseAlongBorder(const HalfEdgeMesh& m, int v, int b, bool forward,
 									 const EditScratch& scratch)
 {
 	if (m.mirrorAxis < 0) return true;
-	const int behindV = borderNeighbour(m, v, !forward), behindB = borderNeighbour(m, b, forward);
-	if (m.isOnMirror(v)) return m.isOnMirror(b) && (m.isOnMirror(behindV) || m.isOnMirror(behindB));
+	if (m.isOnMirror(v)) return m.isOnMirror(b) && m.isOnMirror(borderNeighbour(m, v, !forward));
 	return !m.isOnMirror(b) || std::none_of(scratch.ringA.begin(), scratch.ringA.end(),
 											[&](int w) { return w != b && m.isOnMirror(w); });
 }

@@ -46,15 +46,17 @@ struct CountChange {
 
 std::int64_t livingVertexNum(const HalfEdgeMesh& m)
 {
-	return std::count_if(m.outgoing.data(), m.outgoing.data() + m.vertexNum,
-						 [](int h) { return h >= 0; });
+	std::int64_t num = 0;
+	for (int v = 0; v < m.vertexNum; ++v)
+		num += m.outgoing[v] >= 0 ? m.multiplicity(m.position[v]) : 0;
+	return num;
 }
 
 std::int64_t livingFaceNum(const HalfEdgeMesh& m)
 {
 	std::int64_t num = 0;
 	for (int f = 0; f < m.faceNum; ++f)
-		num += !isDeadFace(m, f);
+		num += isDeadFace(m, f) ? 0 : m.sideNum();
 	return num;
 }
 
@@ -64,7 +66,7 @@ public:
 				   const CountTarget& target, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
-			byFaces_(target.faceNum > 0),
+			byFaces_(target.faceNum > 0), innerStep_((byFaces_ ? 2 : 1) * m_.sideNum()),
 			wanted_(byFaces_ ? target.faceNum : target.vertexNum + result.copyNum),
 			num_(byFaces_ ? livingFaceNum(result.mesh) : livingVertexNum(result.mesh))
 	{
@@ -72,8 +74,11 @@ public:
 
 	bool run(std::initializer_list<Care> cares)
 	{
-		if (m_.mirrorAxis >= 0) splitOwnImages();
-		if (byFaces_ && (wanted_ - num_) % 2 != 0) changeBorderByOne();
+		if (m_.mirrorAxis >= 0) {
+			splitBorderAtMirror();
+			splitOwnImages();
+		}
+		if ((wanted_ - num_) % innerStep_ != 0) changeBorderByOne();
 		for (Care care : cares) {
 			care_ = care;
 			while (num_ != wanted_) {
@@ -95,7 +100,8 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
-	bool                  byFaces_; ///< the target counts faces, not vertices
+	bool                  byFaces_;   ///< the target counts faces, not vertices
+	std::int64_t          innerStep_; ///< the change of the number by an inner vertex
 	std::int64_t          wanted_;
 	std::int64_t          num_; ///< of the result now
 	Care                  care_ = Care::FlatGroundOnly;
@@ -109,14 +115,22 @@ private:
 	// ---- common to both
 
 	/// The change of the number by a split or collapse of an edge.
-	std::int64_t stepOf(bool isAtBorder) const { return byFaces_ && !isAtBorder ? 2 : 1; }
-	/// The number of vertices still to add or remove; a last odd face is a border face.
+	std::int64_t stepOf(int h) const
+	{
+		if (!m_.isBorderEdge(h)) return innerStep_;
+		if (byFaces_) return m_.sideNum();
+		return isAlongMirror(h) ? 1 : innerStep_;
+	}
+	bool isAlongMirror(int h) const
+	{
+		return m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h));
+	}
+	/// The number of vertices still to add or remove; a smaller last step is at the border.
 	std::int64_t leftNum() const
 	{
-		const std::int64_t left = std::abs(wanted_ - num_);
-		return byFaces_ ? (left + 1) / 2 : left;
+		return (std::abs(wanted_ - num_) + innerStep_ - 1) / innerStep_;
 	}
-	bool fits(bool isAtBorder) const { return std::abs(wanted_ - num_) >= stepOf(isAtBorder); }
+	bool fits(int h) const { return std::abs(wanted_ - num_) >= stepOf(h); }
 
 	void beginRound()
 	{
@@ -195,10 +209,10 @@ private:
 		reserve(m_, m_.vertexNum + left, m_.faceNum + 2 * left);
 		for (const CountChange& op : operations) {
 			if (num_ == wanted_) return;
-			const bool isAtBorder = m_.opposite[op.halfEdge] < 0;
-			if (!fits(isAtBorder)) continue;
-			if (isAtBorder ? splitAtBorder(op.halfEdge) : splitInside(op))
-				num_ += stepOf(isAtBorder);
+			const std::int64_t step = stepOf(op.halfEdge);
+			if (!fits(op.halfEdge)) continue;
+			if (m_.isBorderEdge(op.halfEdge) ? splitAtBorder(op.halfEdge) : splitInside(op))
+				num_ += step;
 		}
 	}
 
@@ -342,17 +356,23 @@ private:
 		if (flipKeepsShape(m_, h)) flip(m_, h);
 	}
 
+	ResultVertex middleOfBorderEdge(int h) const
+	{
+		const ResultVertex& ra = r_.vertex[m_.origin[h]];
+		const Curve&        c  = boundary_.curves[ra.curve];
+		ResultVertex        middle;
+		middle.curve  = ra.curve;
+		middle.arc    = c.wrap(ra.arc + 0.5f * c.wrap(r_.vertex[m_.target(h)].arc - ra.arc));
+		middle.point  = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+		middle.normal = surface_.mesh.faceNormal(middle.point.face);
+		return middle;
+	}
+
 	bool splitAtBorder(int h)
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		if (isUsed(a) || isUsed(b) || isUsed(m_.apex(h))) return false;
-		const ResultVertex& ra = r_.vertex[a];
-		const Curve&        c  = boundary_.curves[ra.curve];
-		ResultVertex        middle;
-		middle.curve  = ra.curve;
-		middle.arc    = c.wrap(ra.arc + 0.5f * c.wrap(r_.vertex[b].arc - ra.arc));
-		middle.point  = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
-		middle.normal = surface_.mesh.faceNormal(middle.point.face);
+		const ResultVertex middle = middleOfBorderEdge(h);
 		if (middle.point.position == m_.position[a] || middle.point.position == m_.position[b])
 			return false;
 		splitBorderEdge(m_, h, append(middle));
@@ -386,13 +406,34 @@ private:
 		return height() > 0;
 	}
 
+	/// Whether a face has all its edges on the border at the mirror plane.
+	bool isFlatHalf(int f) const
+	{
+		const auto isCut = [&](int h) { return m_.isBorderEdge(h) && isAlongMirror(h); };
+		return isCut(3 * f) && isCut(3 * f + 1) && isCut(3 * f + 2);
+	}
+
+	/// Splits the border edges that need a vertex between two vertices on the mirror plane: edges
+	/// of a border that leaves the plane between the vertices, and an edge of each component that
+	/// is a single face on the plane.
+	void splitBorderAtMirror()
+	{
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			if (isDeadFace(m_, h / 3) || !m_.isBorderEdge(h) || !isAlongMirror(h)) continue;
+			const Vec3f middle = middleOfBorderEdge(h).point.position;
+			if (m_.multiplicity(middle) == 1 && !isFlatHalf(h / 3)) continue;
+			reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
+			used_.assign(m_.vertexNum, 0);
+			if (splitAtBorder(h)) num_ += byFaces_ ? m_.sideNum() : m_.multiplicity(middle);
+		}
+	}
+
 	/// Splits inner edges between two vertices on the mirror plane, left by the neighbourhood of
 	/// the samples: see mesh_edit.h.
 	void splitOwnImages()
 	{
 		const auto isOwnImage = [&](int h) {
-			return !isDeadFace(m_, h / 3) && m_.opposite[h] >= 0 && m_.isOnMirror(m_.origin[h]) &&
-				   m_.isOnMirror(m_.target(h));
+			return !isDeadFace(m_, h / 3) && !m_.isBorderEdge(h) && isAlongMirror(h);
 		};
 		const int mostNum =
 			int(workers_.collectIf(std::size_t(m_.halfEdgeNum()), isOwnImage).size());
@@ -402,7 +443,7 @@ private:
 			if (!isOwnImage(h)) continue;
 			if (!findMiddleAboveMirror(m_.origin[h], m_.target(h), middle)) continue;
 			splitEdge(m_, h, append(middle));
-			num_ += stepOf(false);
+			num_ += innerStep_;
 		}
 	}
 
@@ -415,10 +456,10 @@ private:
 			 operationsOfRound(leftNum(), [&](int h, int) { return findCollapse(h); })) {
 			if (num_ == wanted_) return;
 			if (isDeadFace(m_, op.halfEdge / 3)) continue;
-			const bool isAtBorder = m_.opposite[op.halfEdge] < 0;
-			if (!fits(isAtBorder)) continue;
-			if (isAtBorder ? collapseAtBorder(op.halfEdge) : collapseInside(op.halfEdge))
-				num_ -= stepOf(isAtBorder);
+			const int          h    = op.halfEdge;
+			const std::int64_t step = stepOf(h);
+			if (!fits(h)) continue;
+			if (m_.isBorderEdge(h) ? collapseAtBorder(h) : collapseInside(h)) num_ -= step;
 		}
 	}
 
@@ -501,17 +542,15 @@ private:
 
 	// ---- the border
 
-	/// The border edges in the order for a split or collapse.
+	/// The border edges that help, in the order for a split or collapse.
 	std::vector<CountChange> borderEdges(bool toSplit) const
 	{
 		std::vector<CountChange> all =
 			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
 				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
 				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
-				// In half a symmetric mesh only border edges on the plane change the parity of the
-				// whole.
-				const bool isOpen = !(m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h)));
-				out.push_back({isOpen, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
+				if (stepOf(h) == innerStep_) return;
+				out.push_back({0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
 			});
 		std::sort(all.begin(), all.end());
 		return all;
@@ -530,13 +569,15 @@ private:
 		beginRound();
 		reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
 		for (const CountChange& op : borderEdges(true)) {
+			const std::int64_t step = stepOf(op.halfEdge);
 			if (!splitAtBorder(op.halfEdge)) continue;
-			++num_;
+			num_ += step;
 			return;
 		}
 		for (const CountChange& op : borderEdges(false)) {
+			const std::int64_t step = stepOf(op.halfEdge);
 			if (!collapseAtBorder(op.halfEdge)) continue;
-			--num_;
+			num_ -= step;
 			return;
 		}
 	}

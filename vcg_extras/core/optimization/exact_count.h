@@ -10,7 +10,8 @@
 
 namespace gpr {
 
-/// The wanted number of vertices, or of faces if faces are counted.
+/// The wanted number of vertices, or of faces if faces are counted; in half a symmetric mesh, of
+/// the whole mesh.
 struct CountTarget {
 	std::int64_t vertexNum = 0;
 	std::int64_t faceNum   = 0; ///< if not 0, vertexNum is ignored
@@ -21,7 +22,9 @@ struct CountTarget {
 /// Stage::Count: splits or collapses edges of the result until the result has exactly the wanted
 /// number of vertices or faces. An inner vertex adds two faces, a border vertex adds one face: if
 /// the wanted and the present number of faces differ in parity, first the longest border edge is
-/// split, or a border edge is collapsed if none may be split.
+/// split, or a border edge is collapsed if none may be split. In half a symmetric mesh the same
+/// holds for vertices: a vertex on the mirror plane adds one vertex to the whole mesh, any other
+/// vertex adds two vertices.
 ///
 /// Edges are chosen by valence: for each edge the change of Σ(valence - 6)² is computed, for splits
 /// with up to two flips round the new vertex; the lowest change goes first, then the longest edge

@@ -108,20 +108,18 @@ private:
 
 } // namespace
 
-Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-					 ResultMesh& result, Workers& workers)
+bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+				  ResultMesh& result, Workers& workers)
 {
 	const double          limit = provable * goal;
 	const FarPointSearch  search(surface, limit, workers);
 	FallingNumber         pointNum;
 	std::vector<FarPoint> points;
-	Refined               refined;
 	std::size_t           before = std::numeric_limits<std::size_t>::max();
 	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
 						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
-		points            = search.next(result, points);
-		refined.keepsGoal = points.empty();
+		points = search.next(result, points);
 		if (points.empty() || points.size() > std::size_t(result.mesh.vertexNum)) break;
 		std::vector<FarPoint> left =
 			drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
@@ -136,11 +134,9 @@ Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, doubl
 		settings.minAngle = raisedAngle;
 		settings.maxGap   = float(limit);
 		settings.mostNew  = int(mostAdded * result.mesh.vertexNum);
-		const int more    = refineAt(surface, curves, left, settings, result, workers);
-		if (more == 0) break;
-		refined.addedNum += more;
+		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
-	return refined;
+	return points.empty();
 }
 
 } // namespace gpr

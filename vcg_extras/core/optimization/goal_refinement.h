@@ -10,17 +10,12 @@
 
 namespace gpr {
 
-/// The result of refineToGoal.
-struct Refined {
-	int  addedNum  = 0;     ///< new vertices
-	bool keepsGoal = false; ///< no point is beyond the goal any more
-};
-
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
-/// in rounds, unless the places are so many that all triangles are too large. goal: working units.
+/// in rounds, unless the places are so many that all triangles are too large. Returns whether no
+/// point is beyond the goal any more. goal: working units.
 /// Cost: per round, placesBeyond in both directions, and refineAt.
-Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-					 ResultMesh& result, Workers& workers);
+bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+				  ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -158,7 +158,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.componentsKept      = input.components == output.components;
 	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
 	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
-	a.countExact          = targetNum == output.vertices - r.copyNum;
+	a.countExact          = targetNum == r.vertexNum();
 	a.junctionsKept       = !m.meetsAtPlaces || areJunctionsKept(surface, r, workers);
 	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
 			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&

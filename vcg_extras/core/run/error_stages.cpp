@@ -100,11 +100,10 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 	const bool isSame = made.guarded.foundPairNum == 0 && !made.surface.mesh.meetsAtPlaces;
 	if (made.keepsGoal && isSame) return {};
 	run.clock.enter(Stage::Fit);
-	const double  largest = goal.largest * made.surface.frame.scale;
-	const Refined refined =
-		refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
-	made.keepsGoal = refined.keepsGoal;
-	return {refined.addedNum, true};
+	const double       largest = goal.largest * made.surface.frame.scale;
+	const std::int64_t before  = made.result.vertexNum();
+	made.keepsGoal = refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	return {int(made.result.vertexNum() - before), true};
 }
 
 ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made)

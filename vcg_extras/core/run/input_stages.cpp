@@ -176,7 +176,7 @@ InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* ca
 	}
 	made.surface.cleaned = made.input->counts;
 	made.surface.frame   = made.input->mesh.frame;
-	made.surface.area    = made.input->extents.area;
+	made.surface.area    = made.input->extents.area * (run.input.mirrorAxis < 0 ? 1 : 2);
 	if (!(made.surface.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	return {made.surface.area, made.surface.frame.scale};
 }
@@ -203,6 +203,7 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
 	surface.mesh.meetsAtPlaces = keepsJunctions(run.options);
+	surface.mesh.mirrorAxis    = run.input.mirrorAxis;
 	surface.border             = BorderFigures();
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)
 		surface.border.length = borderLength(surface.mesh) / surface.frame.scale;

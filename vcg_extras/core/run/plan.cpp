@@ -224,14 +224,18 @@ void Plan::resolveCount(const InputFacts& facts)
 	if (asksForFaces()) decisions_.faceNum = wantedFaces_;
 }
 
+/// The next possible count below.
+std::int64_t Plan::possible(std::int64_t num) const
+{
+	return std::max(attempts_.countStep, num - num % attempts_.countStep);
+}
+
 /// F = 2 V - 2 χ - B, with B vertices on the border. Border edges are as long as all other edges.
 void Plan::forecastVertices(const SizeFacts& facts)
 {
-	constexpr int rounds = 4; // B depends on the edge length, and the edge length on V
-	const bool    isOdd  = decisions_.faceNum % 2 != 0;
-	if (facts.borderLength == 0 && isOdd)
-		decisions_.faceNum = std::max<std::int64_t>(2, decisions_.faceNum - 1);
-	double vertexNum = double(decisions_.vertexNum);
+	constexpr int rounds    = 4; // B depends on the edge length, and the edge length on V
+	double        vertexNum = double(decisions_.vertexNum);
+	decisions_.faceNum      = possible(decisions_.faceNum);
 	for (int round = 0; round < rounds; ++round) {
 		const double onBorder =
 			facts.borderLength / double(evenEdge(attempts_.area, std::int64_t(vertexNum)));
@@ -273,6 +277,7 @@ std::string Plan::judge(const SizeFacts& facts)
 	const bool isFirst    = attempts_.keptNum < 0;
 	attempts_.keptNum     = facts.keptNum;
 	attempts_.followLines = facts.followLines;
+	attempts_.countStep   = facts.countStep;
 	goOn();
 	if (!isFirst) return "";
 	const std::int64_t before = decisions_.vertexNum;
@@ -281,6 +286,7 @@ std::string Plan::judge(const SizeFacts& facts)
 		decisions_.vertexNum =
 			std::int64_t(std::clamp(std::round(facts.vertexNum), 4.0, maxResultVertices));
 	attempts_.asked = decisions_.vertexNum;
+	if (decisions_.faceNum == 0) decisions_.vertexNum = possible(decisions_.vertexNum);
 	if (facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples)
 		return makeRoom(facts.euler);
 	attempts_.isCountChosen =
@@ -387,9 +393,11 @@ std::string Plan::tryAgain(std::string note)
 /// Takes the mesh. A closed surface has no odd number of faces; the plan aimed at the number below.
 std::string Plan::accept(const MeshFacts& facts, std::string note)
 {
-	const bool isOther =
-		decisions_.faceNum > 0 && facts.faceNum != wantedFaces_ && !attempts_.isRaised;
-	if (isOther && !isWish()) refuseParity(facts.faceNum);
+	const bool byFaces = decisions_.faceNum > 0,
+			   byPairs = !asksForFaces() && attempts_.countStep > 1;
+	const bool isOther = byFaces ? facts.faceNum != wantedFaces_ && !attempts_.isRaised
+								 : byPairs && facts.vertexNum + 1 == attempts_.asked;
+	if (isOther && !isWish()) refuseParity(byFaces ? facts.faceNum : facts.vertexNum);
 	if (isOther && note.empty()) {
 		note = "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
 			   asked() + ", the nearest possible number.";
@@ -431,17 +439,14 @@ void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
 		   smallest);
 }
 
-/// Refuses a face count with the wrong parity: each inner vertex adds two faces, and no vertex may
-/// enter or leave the border.
+/// Refuses a count that is no multiple of the step: no vertex may enter or leave the border.
 void Plan::refuseParity(std::int64_t lower) const
 {
-	Failure failure(Status::BadOptions,
-					"The surface cannot be meshed with " + asked() +
-						"; the nearest possible numbers are " + text(lower) + " and " +
-						text(lower + 2) + ".",
-					0, lower);
-	failure.nextFaceNum = lower + 2;
-	throw failure;
+	throw Failure(Status::BadOptions,
+				  "The surface cannot be meshed with " + asked() +
+					  "; the nearest possible numbers are " + text(lower) + " and " +
+					  text(lower + attempts_.nextStep()) + ".",
+				  0, decisions_.faceNum > 0 ? lower : 0);
 }
 
 std::string Plan::withoutFeatureLines(const std::string& fault)
@@ -651,7 +656,8 @@ std::string Plan::judge(const ContactFacts& facts)
 			   facts.vertexNum);
 	}
 	goOn();
-	const bool isMissed = decisions_.faceNum > 0 && facts.faceNum != decisions_.faceNum;
+	const bool isMissed = decisions_.faceNum > 0 ? facts.faceNum != decisions_.faceNum
+												 : facts.vertexNum != facts.before && !mayDiffer();
 	if (isMissed && !isWish()) {
 		refuse("With " + asked() + " the surface would intersect itself, but not with " +
 				   counted(facts.vertexNum, facts.faceNum) + ".",
@@ -693,7 +699,7 @@ std::string Plan::judge(const ExportFacts& facts)
 		if (!asksForFaces()) throw refusalAtLast();
 		hadNums_.push_back(facts);
 		if (hadNums_.size() == 2) throw refusalAtLast();
-		return tryToHaveFaces(facts.faceNum + 2);
+		return tryToHaveFaces(facts.faceNum + attempts_.nextStep());
 	}
 	if (decisions_.purpose != Purpose::Trial) return "";
 	trial_.vertexNum = facts.vertexNum;
@@ -773,14 +779,12 @@ Failure Plan::refusalAtLast() const
 			text(first.faceNum) + (areTwo ? " and " + text(last.faceNum) : "");
 		const std::string vertices =
 			text(first.vertexNum) + (areTwo ? " and " + text(last.vertexNum) : "");
-		Failure failure(refusal_->status,
-						"The surface cannot be meshed with " + refused_ + "; the " +
-							(isSmall ? "smallest" : "nearest") + " possible number" +
-							(areTwo ? "s found are " : " found is ") + faces + " (" + vertices +
-							" vertices).",
-						isSmall ? first.vertexNum : 0, first.faceNum);
-		failure.nextFaceNum = last.faceNum;
-		return failure;
+		return {refusal_->status,
+				"The surface cannot be meshed with " + refused_ + "; the " +
+					(isSmall ? "smallest" : "nearest") + " possible number" +
+					(areTwo ? "s found are " : " found is ") + faces + " (" + vertices +
+					" vertices).",
+				isSmall ? first.vertexNum : 0, first.faceNum};
 	}
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
 	return {refusal_->status,

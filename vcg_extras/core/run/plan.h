@@ -96,11 +96,13 @@ struct SurfaceFacts {
 	bool mustSewFirst = false; ///< the mesh has seams to be sewn, and there is no surface yet
 };
 struct SizeFacts {
-	std::int64_t keptNum      = 0;     ///< vertices of the input that must stay
-	std::int64_t euler        = 0;     ///< Euler characteristic of the surface
-	double       borderLength = 0;     ///< working units
-	double       vertexNum    = 0;     ///< count for sizes in mesh units; 0: no such sizes
+	std::int64_t keptNum      = 0; ///< vertices of the input that must stay
+	std::int64_t euler        = 0; ///< Euler characteristic; of two halves: of both before joining
+	double       borderLength = 0; ///< working units
+	double       vertexNum    = 0; ///< count for sizes in mesh units; 0: no such sizes
 	bool         followLines  = false; ///< sizes follow the error on both sides of feature lines
+	/// Possible counts, of faces if faces are counted, are multiples of this number.
+	std::int64_t countStep = 1;
 };
 struct ForecastFacts {
 	std::int64_t vertexNum = 0; ///< count with triangles as flat as the error bound needs
@@ -195,7 +197,8 @@ struct Request {
 ///
 /// With a target of faces all rules compare face counts. A closed surface has no odd number of
 /// faces: the plan aims at the number below, then refuses, so that the refusal names two possible
-/// numbers.
+/// numbers. The same holds for other multiples (SizeFacts::countStep). On half a symmetric surface
+/// all counts and the area are of the whole.
 ///
 /// Rules 5 and 6: samples with the right spacing make better triangles than topology alone, so that
 /// a raised count is meshed anew. Rule 7: with very few vertices some triangles may lie along a
@@ -260,6 +263,7 @@ private:
 		std::int64_t keptNum       = -1;    ///< vertices of the input that must stay; -1: not known
 		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
 		bool         followLines   = false; ///< see SizeFacts
+		std::int64_t countStep     = 1;     ///< see SizeFacts
 		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
 		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
 		double       area          = 0;     ///< working units squared
@@ -268,6 +272,9 @@ private:
 		int          correctionNum = 0;     ///< of the radius
 		int          refinementNum = 0;
 		std::int64_t separatedFrom = 0; ///< count at which sheets would intersect; 0: not so
+
+		/// From a possible count to a larger one, for a refusal.
+		std::int64_t nextStep() const { return countStep > 2 ? countStep : 2; }
 	};
 	Attempts attempts_;
 
@@ -300,6 +307,7 @@ private:
 	std::string counted(std::int64_t vertexNum, std::int64_t faceNum) const;
 
 	void              resolveCount(const InputFacts& facts);
+	std::int64_t      possible(std::int64_t num) const;
 	void              forecastVertices(const SizeFacts& facts);
 	std::string       makeRoom(std::int64_t euler);
 	float             correctedRadius(const SampleFacts& facts) const;

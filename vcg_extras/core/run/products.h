@@ -29,7 +29,7 @@ using FeatureMarks = std::vector<std::uint8_t>;
 
 /// The working surface. From the step Lines on it does not change.
 struct WorkingSurface : Surface {
-	double        area            = 0; ///< working units squared
+	double        area            = 0; ///< working units squared; of half a mesh: of both halves
 	float         callersMeanEdge = 0; ///< before long edges were split, working units; 0: few were
 	CleanCounts   cleaned;             ///< changes by cleaning, connecting and splits of long edges
 	BorderFigures border;              ///< with BoundaryMode::Smooth

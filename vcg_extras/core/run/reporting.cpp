@@ -48,26 +48,29 @@ void reportSamples(const RunContext& run, const Products& made, const Decisions&
 	report.largestSampleMove   = double(made.samples.farthest) / made.surface.frame.scale;
 }
 
+void reportEdits(const Products& made, RemeshReport& report)
+{
+	report.leftoverVertexNum       = made.result.leftoverNum;
+	report.splitNum                = made.result.splitNum;
+	report.collapseNum             = made.result.collapseNum;
+	report.flipNum                 = made.result.flipNum;
+	report.releasedVertexNum       = made.releasedNum;
+	report.radiusConstantForTarget = made.verified.constantForTarget;
+	report.keptVertexNum           = made.verified.keptNum;
+	report.regularVertexNum        = made.regularNum;
+}
+
 void reportResult(const Products& made, RemeshReport& report)
 {
-	const ResultMesh&   result     = made.result;
-	const Verification& verified   = made.verified;
-	report.leftoverVertexNum       = result.leftoverNum;
-	report.splitNum                = result.splitNum;
-	report.collapseNum             = result.collapseNum;
-	report.flipNum                 = result.flipNum;
-	report.releasedVertexNum       = made.releasedNum;
-	report.largestFitDistance      = double(verified.fitDistance) / made.surface.frame.scale;
-	report.result                  = verified.figures;
-	report.audit                   = verified.audit;
-	report.audit.guarded           = made.guarded;
-	report.check                   = verified.check;
-	report.isDistanceProven        = verified.proof.isMade;
-	report.provenDistance          = verified.proof.bounds;
-	report.radiusConstantForTarget = verified.constantForTarget;
-	report.keptVertexNum           = verified.keptNum;
-	report.quality                 = made.quality;
-	report.regularVertexNum        = made.regularNum;
+	const Verification& verified = made.verified;
+	report.largestFitDistance    = double(verified.fitDistance) / made.surface.frame.scale;
+	report.result                = verified.figures;
+	report.audit                 = verified.audit;
+	report.audit.guarded         = made.guarded;
+	report.check                 = verified.check;
+	report.isDistanceProven      = verified.proof.isMade;
+	report.provenDistance        = verified.proof.bounds;
+	report.quality               = made.quality;
 }
 
 } // namespace
@@ -83,32 +86,27 @@ Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
 	report.capsReached   = run.capsReached;
 	reportInput(run.input, made.surface, report);
 	reportSamples(run, made, decisions, report);
+	reportEdits(made, report);
 	reportResult(made, report);
 	told.notes = run.notes;
 	return told;
 }
 
-void Told::addHalf(RemeshReport half)
+Told tellOfWhole(RunContext& run, const Products& made, RemeshReport half)
 {
-	half.capsReached.insert(half.capsReached.end(), report.capsReached.begin(),
-							report.capsReached.end());
-	half.stages                     = std::move(report.stages);
-	half.input                      = report.input;
-	half.cleanedInput               = report.cleanedInput;
-	half.cleaned                    = report.cleaned;
-	half.result                     = report.result;
-	half.quality                    = report.quality;
-	half.check                      = report.check;
-	half.targetVertexNum            = report.result.vertices;
-	half.largestFitDistance         = report.largestFitDistance;
-	half.isDistanceProven           = report.isDistanceProven;
-	half.provenDistance             = report.provenDistance;
-	const GuardedFigures made       = half.audit.guarded;
-	half.audit                      = report.audit;
-	half.audit.guarded.isTested     = made.isTested;
-	half.audit.guarded.foundPairNum = made.foundPairNum + report.audit.guarded.pairNum;
-	half.audit.guarded.vertexNum    = 2 * made.vertexNum;
-	report                          = std::move(half);
+	Told                 told   = tellOf(run, made, Decisions());
+	RemeshReport&        whole  = told.report;
+	const GuardedFigures ofHalf = half.audit.guarded;
+	half.stages = std::move(whole.stages);
+	half.capsReached.insert(half.capsReached.end(), whole.capsReached.begin(),
+							whole.capsReached.end());
+	reportInput(run.input, made.surface, half);
+	reportResult(made, half);
+	half.audit.guarded.isTested = ofHalf.isTested;
+	half.audit.guarded.foundPairNum += ofHalf.foundPairNum;
+	half.audit.guarded.vertexNum = ofHalf.vertexNum;
+	whole                        = std::move(half);
+	return told;
 }
 
 void addTimes(const RemeshResult& half, StageClock& clock)

@@ -25,9 +25,6 @@ struct Told {
 	void addTrials(double goal, int trialNum, const std::string& outcome);
 	/// Adds the time since the start of a call with several runs, less the time of this run.
 	void addOtherRuns(StageClock::Clock::time_point start);
-	/// Merges the report of the run on half of a symmetric surface. Figures of the whole mesh, and
-	/// the times of stages, stay.
-	void addHalf(RemeshReport half);
 	template <class Result>
 	void handOver(Result& out)
 	{
@@ -39,6 +36,8 @@ struct Told {
 /// The report and the notes about the products of a run. No other function writes a report, and
 /// nothing reads a report before the run ends (scripts/check/report_reads).
 Told tellOf(RunContext& run, const Products& made, const Decisions& decisions);
+/// The same for a symmetric result: the report on the remeshed half, with the figures of the whole.
+Told tellOfWhole(RunContext& run, const Products& made, RemeshReport half);
 
 /// Adds the times of the stages of a run on half of a surface to the clock of the whole.
 void addTimes(const RemeshResult& half, StageClock& clock);

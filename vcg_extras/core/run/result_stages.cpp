@@ -212,7 +212,7 @@ MeshFacts relaxTriangles(RunContext& run, Products& made)
 			lineFaceNum(made.result.mesh, run.workers) > 0,
 			made.result.hasSmoothBorder,
 			made.surface.isSewn(),
-			made.result.mesh.faceNum};
+			made.result.faceNum()};
 }
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
@@ -245,14 +245,16 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 
 namespace {
 
-/// Made vertices keep the vertex count, but patches on the border may change the face count. Most
-/// rounds that restore the face count.
+/// Made vertices keep the vertex count, but patches on the border may change the face count, and
+/// patches on a mirror plane the vertex count of the whole. Most rounds that restore the count.
 constexpr int countRounds = 3;
 
-bool missesFaces(const Decisions& decisions, const Products& made, const ContactOutcome& outcome)
+bool missesCount(const Decisions& decisions, const ResultMesh& result,
+				 const ContactOutcome& outcome)
 {
-	return outcome.hasMade && !outcome.isRefused && decisions.faceNum > 0 &&
-		   made.result.mesh.faceNum != decisions.faceNum;
+	if (!outcome.hasMade || outcome.isRefused) return false;
+	if (decisions.faceNum > 0) return result.faceNum() != decisions.faceNum;
+	return result.mesh.mirrorAxis >= 0 && result.vertexNum() != decisions.wholeNum();
 }
 
 } // namespace
@@ -264,13 +266,14 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	const std::int64_t before = made.result.vertexNum();
 	separateSheets(run, decisions, made);
 	if (!run.options.guard || isPaper(run.options))
-		return {before, before, false, made.result.mesh.faceNum};
+		return {before, before, false, made.result.faceNum()};
 	run.clock.enter(Stage::Contacts);
 	const MakingOfVertices making{made.surface, made.sizes.kept, isFitted(run.options),
 								  *run.options.adapt, decisions.mayEndAbove};
 	ContactOutcome         outcome =
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
-	for (int round = 0; round < countRounds && missesFaces(decisions, made, outcome); ++round) {
+	for (int round = 0; round < countRounds && missesCount(decisions, made.result, outcome);
+		 ++round) {
 		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
 						run.workers);
 		made.contacts = KnownContacts();
@@ -278,8 +281,9 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	}
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
-	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused,
-			made.result.mesh.faceNum};
+	const std::int64_t lacking = outcome.vertexNum - made.result.mesh.vertexNum;
+	return {before, made.result.vertexNum() + made.result.mesh.sideNum() * lacking,
+			outcome.isRefused, made.result.faceNum()};
 }
 
 void tellMade(RunContext& run, const Products& made)
@@ -341,10 +345,10 @@ void tellRegularNum(RunContext& run, Products& made)
 	const float  angle = float(run.options.featureAngleDeg) * radians;
 	const float  even  = evenEdge(made.surface.area, num);
 	const double ratio = double(
-		even / edgeForRegularity(made.surface.mesh, made.surface.area, even, angle, run.workers));
+		even / edgeForRegularity(made.surface.mesh, made.surface.area / made.surface.mesh.sideNum(),
+								 even, angle, run.workers));
 	if (ratio * ratio < leastGrowth) return;
-	const bool isHalf   = made.surface.mesh.mirrorAxis >= 0;
-	made.regularNum     = rounded((isHalf ? 2 : 1) * ratio * ratio * double(num));
+	made.regularNum     = rounded(ratio * ratio * double(num));
 	const int irregular = int(std::lround(made.quality.below30Percent));
 	run.tell("The triangles are wider than much of the surface between crease edges, so " +
 			 std::to_string(irregular) + " % of the faces have an angle below 30 degrees. About " +
@@ -359,7 +363,7 @@ ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
 								made.surface.cleaned.reorientedFaces > 0, made.verified.audit, out);
 	tellRegularNum(run, made);
-	return {made.result.vertexNum(), made.result.mesh.faceNum};
+	return {made.result.vertexNum(), made.result.faceNum()};
 }
 
 } // namespace gpr

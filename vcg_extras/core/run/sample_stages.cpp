@@ -116,8 +116,10 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 									   samples.radius, options.seed, run.workers, first);
 	if (samples.sampling.capped) run.tellCap("samples of a block");
 	const std::int64_t copyNum = copiesAmong(samples.sampling, made.surface);
-	samples.num                = std::int64_t(samples.sampling.samples.size()) - copyNum;
-	samples.onCurveNum         = samples.sampling.boundarySampleNum - copyNum;
+	const auto&        all     = samples.sampling.samples;
+	samples.num                = wholeNum(made.surface.mesh, all, all.size()) - copyNum;
+	samples.onCurveNum =
+		wholeNum(made.surface.mesh, all, std::size_t(samples.sampling.boundarySampleNum)) - copyNum;
 	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 
@@ -142,8 +144,7 @@ NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
 NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Retriangulation);
-	ResultMesh& result           = made.result;
-	made.surface.mesh.mirrorAxis = run.input.mirrorAxis;
+	ResultMesh& result = made.result;
 	if (!isPaper(run.options))
 		result = removeVertices(made.surface, made.samples.sampling, made.samples.curves,
 								made.surface.figures, run.workers);
@@ -182,7 +183,7 @@ CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& mad
 		reachExactCount(made.surface, made.curves, target, made.result, run.workers);
 	}
 	separateSheets(run, decisions, made);
-	return {made.result.vertexNum(), made.result.mesh.faceNum};
+	return {made.result.vertexNum(), made.result.faceNum()};
 }
 
 void separateSheets(RunContext& run, const Decisions& decisions, Products& made)

@@ -136,7 +136,8 @@ bool leavePlace(const Buffer<char>& marks, const Decisions& decisions, const Pro
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
 		if (marks[h]) along += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
 	}
-	return along / 2 < mostOnLines * double(num) * double(evenEdge(made.surface.area, num));
+	return m.sideNum() * along / 2 <
+		   mostOnLines * double(num) * double(evenEdge(made.surface.area, num));
 }
 
 /// Finds lines before the sizes, and keeps the lines for the step Lines.
@@ -152,9 +153,10 @@ bool hasFeatureLines(RunContext& run, const Decisions& decisions, Products& made
 }
 
 /// The share of the wanted vertices on borders and feature lines.
-double shareOf(const BoundaryCurves& curves, const Decisions& decisions)
+double shareOf(const BoundaryCurves& curves, const Decisions& decisions, const HalfEdgeMesh& mesh)
 {
-	return double(curves.samples.size()) / double(decisions.spacedFor());
+	return double(wholeNum(mesh, curves.samples, curves.samples.size())) /
+		   double(decisions.spacedFor());
 }
 
 // ---- Sizes.
@@ -249,6 +251,33 @@ void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spot
 	splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);
 }
 
+/// Without a change of the border, the possible numbers of vertices or faces are multiples of this
+/// number. An inner vertex adds two faces, and twice as many to half a symmetric mesh; a vertex on
+/// the mirror plane adds one vertex to the whole mesh.
+std::int64_t countStep(const WorkingSurface& surface, bool countsFaces)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	if (countsFaces) return m.sideNum() * (surface.figures.boundaryLoops > 0 ? 1 : 2);
+	for (int v = 0; v < m.vertexNum; ++v)
+		if (m.multiplicity(m.position[v]) == 1) return 1;
+	return 2;
+}
+
+/// The facts about the whole mesh.
+SizeFacts factsOf(const Products& made, bool countsFaces)
+{
+	const HalfEdgeMesh& m = made.surface.mesh;
+	SizeFacts           facts;
+	for (int v : made.sizes.kept)
+		facts.keptNum += m.multiplicity(m.position[v]);
+	facts.euler        = m.sideNum() * made.surface.figures.eulerCharacteristic;
+	facts.borderLength = countsFaces ? borderLength(m) : 0;
+	facts.vertexNum    = made.sizes.vertexNum;
+	facts.followLines  = made.sizes.followLines;
+	facts.countStep    = countStep(made.surface, countsFaces);
+	return facts;
+}
+
 } // namespace
 
 bool followsFeatureLines(const RemeshOptions& options)
@@ -263,10 +292,7 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 	run.clock.enter(Stage::InputFigures);
 	made.surface.figures = figuresOf(made.surface.mesh, 1 / made.surface.frame.scale, run.workers);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
-	const bool countsFaces = decisions.faceNum > 0;
-	return {std::int64_t(made.sizes.kept.size()), made.surface.figures.eulerCharacteristic,
-			countsFaces ? borderLength(made.surface.mesh) : 0, made.sizes.vertexNum,
-			made.sizes.followLines};
+	return factsOf(made, decisions.faceNum > 0);
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
@@ -308,7 +334,7 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 	if (made.lines.edgeNum == 0) return {};
 	made.lines.radius = usualRadius(made, run.options, decisions.spacedFor());
 	made.lines.curves = sampleCurves(run, decisions, made.lines.radius, made);
-	return {shareOf(made.lines.curves, decisions)};
+	return {shareOf(made.lines.curves, decisions, m)};
 }
 
 NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
@@ -325,7 +351,7 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 	const std::int64_t added  = markGivenLines(run.input, run.workers, made.surface);
 	if (added == 0) return {};
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
-	if (shareOf(sampleCurves(run, decisions, radius, made), decisions) <= maxOnGivenLines) {
+	if (shareOf(sampleCurves(run, decisions, radius, made), decisions, m) <= maxOnGivenLines) {
 		made.lines.edgeNum += added;
 		made.lines.radius = 0;
 		return {};

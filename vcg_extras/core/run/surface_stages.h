@@ -36,6 +36,16 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 /// between them. Throws Failure if the options allow given lines only and there are none.
 NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
 
+/// The number of vertices of the whole mesh for the first `num` samples.
+template <class Samples>
+std::int64_t wholeNum(const HalfEdgeMesh& mesh, const Samples& samples, std::size_t num)
+{
+	std::int64_t whole = 0;
+	for (std::size_t i = 0; i < num; ++i)
+		whole += mesh.multiplicity(samples[i].point.position);
+	return whole;
+}
+
 /// Samples borders and feature lines for disks of a radius, working units.
 BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,
 							const Products& made);

@@ -12,9 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <set>
 
 namespace gpr {
 
@@ -26,8 +24,6 @@ constexpr double mostMismatch = 1e-3;
 constexpr double shareOfError = 0.98;
 /// Shares of the work before and after the remeshing of the half.
 constexpr WorkShare ofHalf = {0.21, 0.98};
-/// Runs for one count: the number of vertices on an open border is known only after a run.
-constexpr int mostRuns = 8;
 
 std::string number(double x)
 {
@@ -59,9 +55,8 @@ public:
 
 	Told told()
 	{
-		Told told = tellOf(run_, made_, Decisions());
-		if (ofRun_.mesh.faceNum() > 0) told.addHalf(std::move(ofRun_.report));
-		return told;
+		if (ofRun_.mesh.faceNum() == 0) return tellOf(run_, made_, Decisions());
+		return tellOfWhole(run_, made_, std::move(ofRun_.report));
 	}
 
 	void go(RemeshResult& out)
@@ -72,8 +67,7 @@ public:
 		half_ = cutHalf(call_.input, surface_, found_.plane, run_.workers);
 		view_ = half_.view(call_.input, found_.plane);
 		requireSameTopology();
-		measureBorder();
-		reachSize();
+		remeshHalf();
 		finish(out);
 	}
 
@@ -88,13 +82,7 @@ private:
 	FoundPlane              found_;
 	MirrorHalf              half_;
 	MeshView                view_;
-	RemeshResult            ofRun_; ///< last result of the half
-	// Of the half.
-	std::int64_t euler_      = 0;     ///< Euler characteristic
-	std::int64_t arcNum_     = 0;     ///< open chains of border on the plane
-	double       openLength_ = 0;     ///< of the border off the plane, mesh units
-	std::int64_t openEdges_  = 0;     ///< of the same border in the result, about
-	bool         isWish_     = false; ///< whether another count may be taken
+	RemeshResult            ofRun_; ///< of the half
 
 	const RemeshOptions& options() const { return call_.options; }
 	double               diagonal() const { return surface_.figures.diagonal; }
@@ -136,62 +124,9 @@ private:
 						  "handles.");
 	}
 
-	bool isOnPlane(std::int32_t v, const std::vector<Vec3d>& positions) const
-	{
-		return coordinate(positions[std::size_t(v)], found_.plane.heightAxis()) == 0;
-	}
+	// ---- the run of the half
 
-	/// The border of the half: edges on the plane and other edges.
-	struct HalfBorder {
-		std::int64_t onPlane = 0, open = 0; ///< edges
-		double       openLength = 0;        ///< mesh units
-	};
-
-	HalfBorder borderOf(const TriangleMesh& mesh) const
-	{
-		std::set<std::pair<std::int32_t, std::int32_t>> edges;
-		for (std::size_t c = 0; c < mesh.triangles.size(); ++c) {
-			const std::int32_t a = mesh.triangles[c],
-							   b = mesh.triangles[c % 3 == 2 ? c - 2 : c + 1];
-			if (edges.erase({b, a}) == 0) edges.insert({a, b});
-		}
-		HalfBorder border;
-		for (const auto& [a, b] : edges) {
-			if (isOnPlane(a, mesh.positions) && isOnPlane(b, mesh.positions)) {
-				++border.onPlane;
-				continue;
-			}
-			++border.open;
-			border.openLength +=
-				length(mesh.positions[std::size_t(b)] - mesh.positions[std::size_t(a)]);
-		}
-		return border;
-	}
-
-	std::int64_t planeVertexNum(const TriangleMesh& mesh) const
-	{
-		std::int64_t num = 0;
-		for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
-			num += isOnPlane(std::int32_t(v), mesh.positions);
-		return num;
-	}
-
-	void measureBorder()
-	{
-		const TriangleMesh mesh{half_.positions, half_.triangles};
-		const HalfBorder   border = borderOf(mesh);
-		euler_                    = measureMesh(mesh.view()).eulerCharacteristic;
-		arcNum_                   = planeVertexNum(mesh) - border.onPlane;
-		openLength_               = border.openLength;
-		if (border.open > 0 && options().boundary != BoundaryMode::Resample) {
-			throw Failure(Status::BadOptions,
-						  "A symmetric result of a surface with a border takes the boundary "
-						  "'resample' only.");
-		}
-	}
-
-	// ---- runs of the half
-
+	/// The options of the half. Counts are of the whole mesh (CountTarget).
 	RemeshOptions optionsOfHalf() const
 	{
 		RemeshOptions o           = options();
@@ -203,162 +138,58 @@ private:
 		o.dropComponentsBelow     = 0;
 		o.surfacePointsOfVertices = true;
 		o.surfacePointsOfFaces    = false;
-		const double spent        = std::chrono::duration<double>(Clock::now() - start_).count();
+		setSize(o);
+		const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
 		if (o.timeLimitSeconds > 0) o.timeLimitSeconds = std::max(1e-3, o.timeLimitSeconds - spent);
 		return o;
 	}
 
-	void remeshHalf(const RemeshOptions& ofHalfOptions)
+	/// The wanted size, where the option refers to the whole input.
+	void setSize(RemeshOptions& o) const
 	{
+		if (o.targetMode == TargetMode::Percent)
+			o.targetPercent *= double(call_.input.vertexNum) / double(view_.vertexNum);
+		if (o.targetMode == TargetMode::MaxError) o.targetMaxError = errorOfHalf();
+		if (o.targetMode != TargetMode::Detail) return;
+		RemeshOptions ofWhole = options();
+		ofWhole.symmetry      = Symmetry::Off;
+		o.targetVertexNum = forecastVertexNum({call_.input, ofWhole, nullptr, call_.stop, nullptr});
+		o.targetMode      = TargetMode::VertexNum;
+		o.allowNearest    = true;
+	}
+
+	double errorOfHalf() const
+	{
+		const double most = shareOfError * (largestError(options(), diagonal()) - found_.mismatch);
+		if (most > 0) return most;
+		throw Failure(Status::BadOptions, "The two sides of the mesh are " +
+											  percentOf(found_.mismatch, diagonal()) +
+											  " from each other's mirror images, more than the "
+											  "largest error.");
+	}
+
+	void remeshHalf()
+	{
+		if (surface_.figures.boundaryLoops > 0 && options().boundary != BoundaryMode::Resample) {
+			throw Failure(Status::BadOptions,
+						  "A symmetric result of a surface with a border takes the boundary "
+						  "'resample' only.");
+		}
 		ProgressCallback progress;
 		if (call_.progress) {
 			progress = [this](double share, const char* phrase) {
 				return call_.progress(ofHalf.at(share), phrase);
 			};
 		}
-		ofRun_ = RemeshResult();
 		run_.clock.finish();
-		remeshInput({view_, ofHalfOptions, progress, call_.stop}, ofRun_);
+		try {
+			remeshInput({view_, optionsOfHalf(), progress, call_.stop, nullptr}, ofRun_);
+		}
+		catch (Failure& failure) {
+			failure.message = "For a symmetric result: " + failure.message;
+			throw;
+		}
 		addTimes(ofRun_, run_.clock);
-	}
-
-	std::int64_t wholeVertexNum() const
-	{
-		return 2 * std::int64_t(ofRun_.mesh.vertexNum()) - planeVertexNum(ofRun_.mesh);
-	}
-
-	/// The vertices of the whole for a number of faces of the half: F = 2 V - B - 2 χ, and B -
-	/// openEdges + arcs vertices lie on the plane.
-	std::int64_t verticesFor(std::int64_t faceNum) const
-	{
-		return faceNum + 2 * euler_ + openEdges_ - arcNum_;
-	}
-
-	void reachSize()
-	{
-		const RemeshOptions& o = options();
-		isWish_                = o.allowNearest;
-		switch (o.targetMode) {
-		case TargetMode::VertexNum:
-			return reachVertexNum(o.targetVertexNum);
-		case TargetMode::FaceNum:
-			return reachFaceNum(o.targetFaceNum);
-		case TargetMode::Percent:
-			isWish_ = true;
-			return reachVertexNum(std::max<std::int64_t>(
-				4, std::llround(o.targetPercent / 100 * double(call_.input.vertexNum))));
-		case TargetMode::Detail: {
-			isWish_               = true;
-			RemeshOptions ofWhole = o;
-			ofWhole.symmetry      = Symmetry::Off;
-			return reachVertexNum(
-				forecastVertexNum({call_.input, ofWhole, nullptr, call_.stop, nullptr}));
-		}
-		case TargetMode::MaxError:
-			return reachError(largestError(o, diagonal()));
-		default:
-			return remeshHalf(optionsOfHalf());
-		}
-	}
-
-	void reachError(double largest)
-	{
-		RemeshOptions o     = optionsOfHalf();
-		o.maxErrorIsPercent = false;
-		o.targetMaxError    = shareOfError * (largest - found_.mismatch);
-		if (!(o.targetMaxError > 0)) {
-			throw Failure(Status::BadOptions, "The two sides of the mesh are " +
-												  percentOf(found_.mismatch, diagonal()) +
-												  " from each other's mirror images, more than the "
-												  "largest error.");
-		}
-		remeshHalf(o);
-	}
-
-	/// Remeshes the half to a number of faces.
-	void remeshToFaces(std::int64_t faceNum)
-	{
-		RemeshOptions o = optionsOfHalf();
-		o.targetMode    = TargetMode::FaceNum;
-		o.targetFaceNum = std::max<std::int64_t>(1, faceNum);
-		o.allowNearest  = isWish_;
-		remeshHalf(o);
-	}
-
-	/// smallest: vertex count that the topology needs, if the user asked for fewer; else 0.
-	[[noreturn]] static void refuse(const std::string& asked, const std::string& what,
-									std::int64_t lower, std::int64_t upper, std::int64_t smallest)
-	{
-		const std::string numbers =
-			lower == upper ? " is " + std::to_string(lower)
-						   : "s are " + std::to_string(lower) + " and " + std::to_string(upper);
-		throw Failure(smallest > 0 ? Status::CountTooSmall : Status::BadOptions,
-					  "No symmetric mesh of this surface with " + asked +
-						  " was found; the nearest number" + numbers + " " + what + ".",
-					  smallest);
-	}
-
-	static std::int64_t nextOf(const Failure& failure)
-	{
-		return failure.nextFaceNum > 0 ? failure.nextFaceNum : failure.smallestFaceNum + 2;
-	}
-
-	/// The vertex count of the whole for the smallest count of a refusal; 0 for other refusals.
-	std::int64_t smallestOf(const Failure& failure) const
-	{
-		return failure.status == Status::CountTooSmall ? verticesFor(failure.smallestFaceNum) : 0;
-	}
-
-	void reachFaceNum(std::int64_t faceNum)
-	{
-		const std::string asked = std::to_string(faceNum) + " faces";
-		if (faceNum % 2 != 0 && !isWish_)
-			refuse(asked, "faces", std::max<std::int64_t>(2, faceNum - 1), faceNum + 1, 0);
-		try {
-			remeshToFaces(faceNum / 2);
-		}
-		catch (const Failure& failure) {
-			if (failure.smallestFaceNum == 0) throw;
-			refuse(asked, "faces", 2 * failure.smallestFaceNum, 2 * nextOf(failure),
-				   smallestOf(failure));
-		}
-	}
-
-	void reachVertexNum(std::int64_t vertexNum)
-	{
-		openEdges_ = std::llround(openLength_ / double(evenEdge(surface_.figures.area, vertexNum)));
-		std::int64_t           faceNum = vertexNum - verticesFor(0);
-		std::set<std::int64_t> tried, reached;
-		while (int(tried.size()) < mostRuns && tried.insert(faceNum).second) {
-			tryVertexNum(faceNum, vertexNum);
-			const std::int64_t got = wholeVertexNum();
-			if (got == vertexNum) return;
-			reached.insert(got);
-			faceNum += vertexNum - got;
-		}
-		if (!isWish_) refuseNear(vertexNum, reached);
-	}
-
-	void tryVertexNum(std::int64_t faceNum, std::int64_t vertexNum)
-	{
-		try {
-			remeshToFaces(faceNum);
-		}
-		catch (const Failure& failure) {
-			if (failure.smallestFaceNum == 0) throw;
-			refuse(std::to_string(vertexNum) + " vertices", "vertices",
-				   verticesFor(failure.smallestFaceNum), verticesFor(nextOf(failure)),
-				   smallestOf(failure));
-		}
-	}
-
-	[[noreturn]] static void refuseNear(std::int64_t                  vertexNum,
-										const std::set<std::int64_t>& reached)
-	{
-		const auto         above = reached.upper_bound(vertexNum);
-		const std::int64_t upper = above == reached.end() ? *reached.rbegin() : *above;
-		const std::int64_t lower = above == reached.begin() ? *reached.begin() : *std::prev(above);
-		refuse(std::to_string(vertexNum) + " vertices", "vertices", lower, upper, 0);
 	}
 
 	// ---- the whole
@@ -408,7 +239,7 @@ private:
 	void tell(const JoinedHalves& joined)
 	{
 		for (const std::string& note : ofRun_.notes)
-			run_.tell("For the remeshed half: " + note);
+			run_.tell(note);
 		const MeshView& in       = call_.input;
 		const bool      hasMarks = in.wantedEdge != nullptr || in.selected != nullptr ||
 							  in.line != nullptr || in.hasManyRegions();

@@ -365,7 +365,7 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 				  sizing.size);
 	}
 	if (followsSizes(request)) {
-		const double area = surfaceArea(surface.mesh, workers);
+		const double area = surface.mesh.sideNum() * surfaceArea(surface.mesh, workers);
 		sizing.vertexNum  = vertexNumForEdgeLength(area, request.evenEdge) *
 						   meanSquaredStretch(surface.mesh, sizing.size, workers);
 	}

@@ -34,6 +34,15 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 	return size;
 }
 
+std::int64_t ResultMesh::vertexNum() const
+{
+	if (mesh.mirrorAxis < 0) return mesh.vertexNum - copyNum;
+	std::int64_t num = 0;
+	for (int v = 0; v < mesh.vertexNum; ++v)
+		num += mesh.multiplicity(mesh.position[v]);
+	return num;
+}
+
 ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 {
 	ResultMesh copy;

@@ -44,8 +44,11 @@ struct ResultMesh {
 									///< not be closed
 	std::int64_t leftoverNum = 0;   ///< input vertices that could not be removed
 
-	/// Number of vertices after joining the sheets.
-	std::int64_t vertexNum() const { return mesh.vertexNum - copyNum; }
+	/// Number of vertices after joining the sheets, and after joining half a symmetric mesh to its
+	/// mirror image.
+	std::int64_t vertexNum() const;
+	/// Number of faces after the same joining.
+	std::int64_t faceNum() const { return std::int64_t(mesh.sideNum()) * mesh.faceNum; }
 };
 
 /// Whether v may move over the surface and may be merged: v lies on no curve and is no cone apex.
