@@ -20,7 +20,7 @@ protected:
 	/// Cuts a mesh and compares both meshes.
 	CutMesh cut(const HalfEdgeMesh& m, const Buffer<char>& lines)
 	{
-		CutMesh cut = cutAlong(m, lines);
+		CutMesh cut = cutAlong(m, lines, workers);
 		EXPECT_EQ(cut.mesh.vertexNum, m.vertexNum + int(cut.copyOf.size()));
 		for (int h = 0; h < m.halfEdgeNum(); ++h) {
 			EXPECT_EQ(cut.mesh.opposite[h], lines[h] ? -1 : m.opposite[h]);

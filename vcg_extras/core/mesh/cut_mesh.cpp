@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut_mesh.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
+#include "mesh_edit.h"
 
-#include <algorithm>
+#include <vcg_extras/core/base/sort_unique.h>
 
 namespace gpr {
 
@@ -20,17 +20,9 @@ std::vector<int> sectorsAt(const HalfEdgeMesh& m, const Buffer<char>& lines, int
 	return first;
 }
 
-template <class T>
-Buffer<T> copied(const Buffer<T>& from, std::size_t num, std::size_t more)
-{
-	Buffer<T> to(num + more);
-	std::copy(from.begin(), from.begin() + std::ptrdiff_t(num), to.begin());
-	return to;
-}
-
 } // namespace
 
-CutMesh cutAlong(const HalfEdgeMesh& m, const Buffer<char>& lines)
+CutMesh cutAlong(const HalfEdgeMesh& m, const Buffer<char>& lines, Workers& workers)
 {
 	std::vector<int> onLine;
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
@@ -46,14 +38,10 @@ CutMesh cutAlong(const HalfEdgeMesh& m, const Buffer<char>& lines)
 			first.push_back(sectors[i]);
 		}
 	}
-	const std::size_t vertexNum = std::size_t(m.vertexNum), edgeNum = std::size_t(m.halfEdgeNum());
-	HalfEdgeMesh&     to = cut.mesh;
-	to.faceNum           = m.faceNum;
-	to.vertexNum         = m.vertexNum + int(first.size());
-	to.position          = copied(m.position, vertexNum, first.size());
-	to.outgoing          = copied(m.outgoing, vertexNum, first.size());
-	to.origin            = copied(m.origin, edgeNum, 0);
-	to.opposite          = copied(m.opposite, edgeNum, 0);
+	HalfEdgeMesh& to = cut.mesh;
+	to               = copyMesh(m, workers);
+	to.vertexNum     = m.vertexNum + int(first.size());
+	reserve(to, to.vertexNum, to.faceNum);
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
 		if (lines[h]) to.opposite[h] = -1;
 	}

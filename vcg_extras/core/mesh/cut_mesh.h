@@ -5,6 +5,8 @@
 
 #include "half_edge_mesh.h"
 
+#include <vcg_extras/core/base/workers.h>
+
 #include <vector>
 
 namespace gpr {
@@ -18,7 +20,7 @@ struct CutMesh {
 /// Cuts a mesh. Each vertex of a line gets a copy for each further sector between lines. Faces and
 /// half-edges keep their numbers. lines: per half-edge, set at both halves of an edge. Cost: a copy
 /// of the mesh, 32 B a face.
-CutMesh cutAlong(const HalfEdgeMesh& mesh, const Buffer<char>& lines);
+CutMesh cutAlong(const HalfEdgeMesh& mesh, const Buffer<char>& lines, Workers& workers);
 
 } // namespace gpr
 

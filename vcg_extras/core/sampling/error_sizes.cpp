@@ -620,7 +620,7 @@ ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers)
 {
 	if (lines.empty()) return SizeSearch(mesh, request, workers).run();
-	const CutMesh cut = cutAlong(mesh, lines);
+	const CutMesh cut = cutAlong(mesh, lines, workers);
 	return joined(cut, SizeSearch(cut.mesh, request, workers).run(), mesh, request.slope, workers);
 }
 
@@ -635,7 +635,7 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 	const double     wanted        = flatnessShare * error * surface.frame.scale;
 	double           num           = double(first);
 	CutMesh          cut;
-	if (!lines.empty()) cut = cutAlong(surface.mesh, lines);
+	if (!lines.empty()) cut = cutAlong(surface.mesh, lines, workers);
 	const HalfEdgeMesh& mesh = lines.empty() ? surface.mesh : cut.mesh;
 	for (int i = 0; i < steps; ++i) {
 		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
