@@ -191,8 +191,8 @@ MUTANTS = [
     ("lines between the same nodes", "features/boundary_curves.cpp",
      "return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;", "return 1;"),
     # ---- optimization
-    ("relaxation: poor faces", "edit/acceptance.cpp", "{Driver::Relaxation,     0.5f, 0.6f,",
-     "{Driver::Relaxation,     0.5f, 0,"),
+    ("relaxation: poor faces", "edit/acceptance.cpp", "{Driver::Relaxation,     {0.5f, 0.6f,",
+     "{Driver::Relaxation,     {0.5f, 0,"),
     ("relaxation keeps sizes", "optimization/relaxation.cpp", "d = 1 / (d * d * d);", "d = 1;"),
     ("flips: folded faces", "optimization/delaunay_flips.cpp",
      "return dot(m1, normal) > 0 && dot(m2, normal) > 0;", "return true;"),

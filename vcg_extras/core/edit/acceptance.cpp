@@ -15,9 +15,8 @@ constexpr float any = HUGE_VALF;
 constexpr float asked = -1;
 
 struct Row {
-	Driver driver;
-	float  turn, shape, angle, agreement, distance, move, normalTurn;
-	bool   gentleFlips, contacts;
+	Driver     driver;
+	Acceptance limits;
 };
 
 /// All limits of the engine side by side.
@@ -28,17 +27,17 @@ struct Row {
 constexpr Row table[] = {
 	// clang-format off
 	// driver                turn  shape angle         agreement     distance move normalTurn gentle contacts
-	{Driver::Relaxation,     0.5f, 0.6f, 0,            -1,           any,   any,  -2,   false, false},
-	{Driver::Fit,            0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false},
-	{Driver::CurveFit,       0.5f, 0,    asked,        -1,           any,   any,  -2,   false, false},
-	{Driver::Count,          0.1f, 0,    0.3f * minFlipAngle, -1,           any,   any,  -2,   false, false},
-	{Driver::InvertedFaces,  -2,   0,    0,            -1,           any,   0.6f, -2,   false, false},
-	{Driver::AnglesOnly,     -2,   0,    0,            0.8f,         any,   0.5f, 0.5f, true,  false},
-	{Driver::PoorFaces,      -2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  true},
-	{Driver::LargeAngles,    -2,   0,    asked,        0.6f        , 0.05f, 0.5f, 0.5f, true,  true},
-	{Driver::WorstDistances, 0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false},
-	{Driver::Refinement,     -2,   0,    5 * radians,  0,            any,   any,  -2,   false, true},
-	{Driver::GuardedRelaxation, 0.7f, 0, 0,            0.2f,         0.1f,  any,  -2,   false, true},
+	{Driver::Relaxation,     {0.5f, 0.6f, 0,            -1,           any,   any,  -2,   false, false}},
+	{Driver::Fit,            {0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false}},
+	{Driver::CurveFit,       {0.5f, 0,    asked,        -1,           any,   any,  -2,   false, false}},
+	{Driver::Count,          {0.1f, 0,    0.3f * minFlipAngle, -1,           any,   any,  -2,   false, false}},
+	{Driver::InvertedFaces,  {-2,   0,    0,            -1,           any,   0.6f, -2,   false, false}},
+	{Driver::AnglesOnly,     {-2,   0,    0,            0.8f,         any,   0.5f, 0.5f, true,  false}},
+	{Driver::PoorFaces,      {-2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  true}},
+	{Driver::LargeAngles,    {-2,   0,    asked,        0.6f        , 0.05f, 0.5f, 0.5f, true,  true}},
+	{Driver::WorstDistances, {0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false}},
+	{Driver::Refinement,     {-2,   0,    5 * radians,  0,            any,   any,  -2,   false, true}},
+	{Driver::GuardedRelaxation, {0.7f, 0, 0,            0.2f,         0.1f,  any,  -2,   false, true}},
 	// clang-format on
 };
 
@@ -58,17 +57,8 @@ float squaredShape(const Vec3f& cross, const Corners& f)
 
 Acceptance acceptanceOf(Driver driver, float angle)
 {
-	const Row& row = table[std::size_t(driver)];
-	Acceptance limits;
-	limits.turn        = row.turn;
-	limits.shape       = row.shape;
-	limits.angle       = row.angle == asked ? angle : row.angle;
-	limits.agreement   = row.agreement;
-	limits.distance    = row.distance;
-	limits.move        = row.move;
-	limits.normalTurn  = row.normalTurn;
-	limits.gentleFlips = row.gentleFlips;
-	limits.contacts    = row.contacts;
+	Acceptance limits = table[std::size_t(driver)].limits;
+	if (limits.angle == asked) limits.angle = angle;
 	return limits;
 }
 

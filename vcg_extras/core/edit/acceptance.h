@@ -18,18 +18,17 @@ struct Acceptance {
 	float shape = 0;  ///< see triangleShape
 	float angle = 0;  ///< smallest angle of the face, radians
 	float agreement = -1; ///< normal agreement of the face
-	float falls     = 1;  ///< a figure below this share of its value before is worse: rounding
 
-	// The faces of a patch together.
-	float distance = HUGE_VALF; ///< of the assigned points, in mean edges
-	float guarded  = HUGE_VALF; ///< points this far off get no farther on the mean; working units
-	float gap      = HUGE_VALF; ///< of the faces from the surface, working units
-	bool  contacts = false;     ///< no more contacts than before
-
-	// Vertices and edges.
+	float distance    = HUGE_VALF; ///< of a patch from the assigned points, in mean edges
 	float move        = HUGE_VALF; ///< of a vertex from its place before the search, in mean edges
 	float normalTurn  = -2; ///< cosine of the surface normals at a vertex before and after a move
 	bool  gentleFlips = false; ///< see PatchEditor::isGentleFlip
+	bool  contacts    = false; ///< a patch gets no more contacts than before
+
+	// Not in the table of drivers.
+	float falls   = 1;         ///< a figure below this share of its value before is worse: rounding
+	float guarded = HUGE_VALF; ///< points this far off get no farther on the mean; working units
+	float gap     = HUGE_VALF; ///< of the faces of a patch from the surface, working units
 };
 
 /// The algorithms that change a result mesh.
