@@ -16,6 +16,14 @@ void sortUnique(std::vector<T>& list)
 	list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+/// The place of a value in a sorted list; -1 if the list has no such value. Cost: O(log n).
+template <class T>
+int placeIn(const std::vector<T>& sorted, const T& value)
+{
+	const auto found = std::lower_bound(sorted.begin(), sorted.end(), value);
+	return found != sorted.end() && *found == value ? int(found - sorted.begin()) : -1;
+}
+
 } // namespace gpr
 
 #endif

@@ -112,11 +112,7 @@ private:
 	std::vector<int>  halfEdge_, vertex_;
 	std::vector<char> seen_;
 
-	std::size_t indexOf(int h) const
-	{
-		return std::size_t(std::lower_bound(halfEdge_.begin(), halfEdge_.end(), h) -
-						   halfEdge_.begin());
-	}
+	std::size_t indexOf(int h) const { return std::size_t(placeIn(halfEdge_, h)); }
 };
 
 /// Traces a chain from half-edge `first` to the next node, or once round.

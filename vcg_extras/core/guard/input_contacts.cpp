@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_contacts.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces)
 	}
 	for (int h = 0; h < to.halfEdgeNum(); ++h) {
 		const int v    = from.origin[3 * faces[std::size_t(h / 3)] + h % 3];
-		to.origin[h]   = int(std::lower_bound(corner.begin(), corner.end(), v) - corner.begin());
+		to.origin[h]   = placeIn(corner, v);
 		to.opposite[h] = -1;
 	}
 	return to;

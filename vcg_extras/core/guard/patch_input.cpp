@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/local_nearest.h>
@@ -139,19 +140,13 @@ private:
 		}
 	}
 
-	static int placeOf(int value, const std::vector<int>& ascending)
-	{
-		const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
-		return at != ascending.end() && *at == value ? int(at - ascending.begin()) : -1;
-	}
-
 	void copyHalfEdge(int h)
 	{
 		HalfEdgeMesh& to          = local_.mesh;
 		const int     from        = 3 * face_[std::size_t(h / 3)] + h % 3;
 		const int     other       = m_.opposite[from];
-		const int     place       = other < 0 ? -1 : placeOf(other / 3, face_);
-		to.origin[h]              = placeOf(m_.origin[from], local_.inputVertex);
+		const int     place       = other < 0 ? -1 : placeIn(face_, other / 3);
+		to.origin[h]              = placeIn(local_.inputVertex, m_.origin[from]);
 		to.opposite[h]            = place < 0 ? -1 : 3 * place + other % 3;
 		to.crease[h]              = char(other < 0);
 		to.outgoing[to.origin[h]] = h;

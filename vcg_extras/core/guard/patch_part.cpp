@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_part.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -17,12 +18,6 @@ constexpr int ringsOfPart = 8, ringsLooked = 5;
 /// New faces of a patch must not touch faces nearer to the patch than this, in edges.
 constexpr float nearPatch = 0.5f;
 
-int placeOf(int value, const std::vector<int>& ascending)
-{
-	const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
-	return at != ascending.end() && *at == value ? int(at - ascending.begin()) : -1;
-}
-
 /// Faces of the whole near some faces, without faces of the part.
 std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 						   const std::vector<int>& faces, const std::vector<int>& ofPart)
@@ -34,7 +29,7 @@ std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 		const Box<float> box = boxOfFace(whole.mesh, f);
 		tree.forEachMeeting({box.low - margin, box.high + margin}, [&](int place) {
 			const int g = tree.face(place);
-			if (placeOf(g, ofPart) < 0) found.push_back(g);
+			if (placeIn(ofPart, g) < 0) found.push_back(g);
 			return true;
 		});
 	}
@@ -80,7 +75,7 @@ private:
 	{
 		const int other = whole_.mesh.opposite[inWhole(h)];
 		if (h >= 3 * int(own_.size()) || other < 0) return -1;
-		const int place = placeOf(other / 3, own_);
+		const int place = placeIn(own_, other / 3);
 		return place < 0 ? -1 : 3 * place + other % 3;
 	}
 

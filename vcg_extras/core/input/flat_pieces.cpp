@@ -113,11 +113,7 @@ private:
 	std::vector<Extent> extent_; ///< per thin face: of the piece with this head
 
 	/// Index of the face among the thin faces, or -1.
-	int thinIndex(int f) const
-	{
-		const auto found = std::lower_bound(thin_.begin(), thin_.end(), f);
-		return found != thin_.end() && *found == f ? int(found - thin_.begin()) : -1;
-	}
+	int thinIndex(int f) const { return placeIn(thin_, f); }
 
 	// ---- whole components
 

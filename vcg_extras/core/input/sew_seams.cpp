@@ -111,10 +111,7 @@ public:
 	int  num() const { return int(vertex_.size()); }
 	int  vertex(int i) const { return vertex_[std::size_t(i)]; }
 	bool isAnyShared() const { return isAnyShared_; } ///< whether two lie at the same place
-	int  indexOf(int v) const
-	{
-		return int(std::lower_bound(vertex_.begin(), vertex_.end(), v) - vertex_.begin());
-	}
+	int  indexOf(int v) const { return placeIn(vertex_, v); }
 	/// The first vertex at the place of v.
 	int placeOf(int v) const { return place_[std::size_t(indexOf(v))]; }
 

@@ -306,12 +306,9 @@ std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 		vertex.push_back(m.target(h));
 	}
 	sortUnique(vertex);
-	const auto indexOf = [&](int v) {
-		return int(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
-	};
 	DisjointSets rims(vertex.size());
 	for (int h : border)
-		rims.unite(indexOf(m.origin[h]), indexOf(m.target(h)));
+		rims.unite(placeIn(vertex, m.origin[h]), placeIn(vertex, m.target(h)));
 	std::int64_t loops = 0;
 	for (std::size_t i = 0; i < vertex.size(); ++i)
 		loops += rims.isRoot(int(i));

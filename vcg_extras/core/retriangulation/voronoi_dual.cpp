@@ -3,6 +3,7 @@
 #include "voronoi_dual.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
@@ -228,7 +229,7 @@ private:
 		std::vector<char> isReached(cell.size(), 0);
 		std::vector<int>  queue;
 		const auto        reach = [&](int v) {
-            const auto at = std::lower_bound(cell.begin(), cell.end(), v) - cell.begin();
+            const int at = placeIn(cell, v);
             if (isReached[at]) return;
             isReached[at] = 1;
             queue.push_back(v);
@@ -477,11 +478,7 @@ private:
 		listTodo(firstOpen, out);
 	}
 
-	int openIndex(int v) const
-	{
-		return int(std::lower_bound(openVertices_.begin(), openVertices_.end(), v) -
-				   openVertices_.begin());
-	}
+	int openIndex(int v) const { return placeIn(openVertices_, v); }
 
 	/// Collects the dual faces between contracted cells, and the faces at open vertices with three
 	/// different vertices.

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_SAMPLING_FRONT_FANS_H
 #define VCG_EXTRAS_CORE_SAMPLING_FRONT_FANS_H
 
+#include <vcg_extras/core/base/sort_unique.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -88,8 +90,7 @@ private:
 		const int earlierNum = int(earlier_.size());
 		const int own        = earlierNum + sample - firstNew_;
 		if (sample >= firstNew_ && own <= last()) return own;
-		const auto found = std::lower_bound(earlier_.begin(), earlier_.end(), sample);
-		return found != earlier_.end() && *found == sample ? int(found - earlier_.begin()) : -1;
+		return placeIn(earlier_, sample);
 	}
 };
 
