@@ -6,9 +6,9 @@
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
+#include <tests/support/split_edges.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/input/load.h>
-#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/surface/disk_flood.h>
 
 #include <algorithm>

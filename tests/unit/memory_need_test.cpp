@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_builders.h>
+#include <tests/support/split_edges.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/input/memory_need.h>
-#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
+#include <tests/support/split_edges.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/input/split_long_edges.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

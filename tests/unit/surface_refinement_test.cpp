@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
+#include <tests/support/split_edges.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/input/surface_refinement.h>
 
 #include <algorithm>

@@ -257,14 +257,6 @@ private:
 };
 
 /// Long faces among faces [begin, end).
-void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t begin, std::size_t end,
-				  std::vector<int>& out)
-{
-	for (int f = int(begin); f < int(end); ++f) {
-		if (rule.isLongFace(mesh, f)) out.push_back(f);
-	}
-}
-
 /// The first new faces replace the long faces; the rest follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)
@@ -295,14 +287,6 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 
 } // namespace
 
-std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers)
-{
-	const EdgeRule rule{maxLength * maxLength, mesh.size};
-	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-		addLongFaces(mesh, rule, begin, end, out);
-	});
-}
-
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers)
 {
@@ -311,7 +295,8 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& exten
 	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 		for (std::size_t f = begin; f < end; f += together) {
 			if (!rule.isLong(extents.longestSquared[f / together], 1)) continue;
-			addLongFaces(mesh, rule, f, std::min(f + together, end), out);
+			for (int k = int(f); k < int(std::min(f + together, end)); ++k)
+				if (rule.isLongFace(mesh, k)) out.push_back(k);
 		}
 	});
 }
@@ -331,13 +316,6 @@ std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers&
 	const EdgeRule      rule{maxLength * maxLength, surface.size};
 	return workers.collectIf(m.faceNum,
 							 [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); });
-}
-
-std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
-							Workers& workers)
-{
-	return splitLongEdges(mesh, findLongFaces(mesh, maxLength, workers), maxLength, maxFaces,
-						  workers);
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,

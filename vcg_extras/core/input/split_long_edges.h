@@ -23,21 +23,19 @@ constexpr float longestSingleEdge = 1.1f;
 /// such a needle, a strip has 32; for shorter needles both are alike.
 constexpr float minNeedleLength = 16;
 
-/// Stage::SplitLongEdges: splits edges longer than maxLength at their midpoints, as often as
-/// needed, so that a disk always covers a few vertices. In a mesh with sizes an edge may be
-/// maxLength times the smaller size of its ends; a new vertex takes the mean of both sizes. This
-/// removes both weaknesses admitted by the paper (§4): stray huge triangles, and targets near the
-/// input's own number of vertices. The surface stays in place. A face so thin and long that only
-/// one row of faces fits becomes a row of faces at once. Returns the number of split edges; throws
-/// Failure{OutOfMemory} if the mesh would get more than maxFaces faces. Cost: each round visits
-/// long faces only; midpoints are found by hashing.
-std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
-							Workers& workers);
+/// Stage::SplitLongEdges: splits edges of known long faces that are longer than maxLength at their
+/// midpoints, as often as needed, so that a disk always covers a few vertices. In a mesh with sizes
+/// an edge may be maxLength times the smaller size of its ends; a new vertex takes the mean of both
+/// sizes. This removes both weaknesses admitted by the paper (§4): stray huge triangles, and
+/// targets near the input's own number of vertices. The surface stays in place. A face so thin and
+/// long that only one row of faces fits becomes a row of faces at once. Returns the number of split
+/// edges; throws Failure{OutOfMemory} if the mesh would get more than maxFaces faces. Cost: each
+/// round visits long faces only; midpoints are found by hashing.
+std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
+							std::int64_t maxFaces, Workers& workers);
 
-/// Faces with an edge that is too long, ascending. Cost: a parallel pass.
-std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers);
-/// The same for a mesh without sizes and with known extents. Cost: a parallel pass over the groups
-/// of faces with such an edge.
+/// Faces with an edge that is too long, ascending, of a mesh without sizes and with known extents.
+/// Cost: a parallel pass over the groups of faces with such an edge.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers);
 /// The same for a connected surface.
@@ -45,9 +43,6 @@ std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers&
 /// The long faces among given faces. Cost: a look at the given faces.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers);
-/// splitLongEdges for known long faces. Cost: a look at the long faces.
-std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
-							std::int64_t maxFaces, Workers& workers);
 
 /// Largest share of split faces up to which noise is still visible on the other faces.
 constexpr double maxUnseen = 0.02;

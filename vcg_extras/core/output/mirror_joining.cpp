@@ -40,8 +40,7 @@ private:
 	HalfEdgeMesh&                    m_;
 	std::vector<int>                 imageOf_; ///< per vertex of the half
 
-	int  halfFaceNum() const { return int(half_.faceNum()); }
-	bool isOnPlane(int v) const { return imageOf_[std::size_t(v)] == v; }
+	int halfFaceNum() const { return int(half_.faceNum()); }
 
 	void addVertices()
 	{

@@ -33,14 +33,6 @@ float normalAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, 
 					 smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]]);
 }
 
-float normalAgreement(const Surface& surface, const ResultMesh& result, int face)
-{
-	Vec3f wanted;
-	for (int h = 3 * face; h < 3 * face + 3; ++h)
-		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[h]].point);
-	return agreement(result.mesh.faceCross(face), wanted);
-}
-
 Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own)
 {
 	Vec3f inside;

@@ -21,8 +21,6 @@ Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Wo
 /// Normal agreement of a face: the cosine of the angle between its normal and the mean of its
 /// corners' smooth normals; -1 for a degenerate face, below 0 for an inverted face.
 float normalAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
-/// The same for a few faces, without the smooth normals of all vertices.
-float normalAgreement(const Surface& surface, const ResultMesh& result, int face);
 
 /// The smooth normals of all vertices of the result, with withoutLip at the border: a lip at the
 /// border, narrower than a triangle, may look away from the surface beside the lip.
