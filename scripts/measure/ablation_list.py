@@ -75,7 +75,7 @@ ABLATIONS = [
      "\trelaxGuarded(settings.idealEdge, making_.mayLeaveSurface, guarded, workers_);\n", ""),
     ("guard", "neighbours of patches move", "guard/patch_filling.cpp", "constexpr int ringsRelaxed = 2;",
      "constexpr int ringsRelaxed = 0;"),
-    ("lines", "lines in noise go", "features/crease_lines.cpp", "looksLikeNoise(withoutSeams(sharp))", "false"),
+    ("lines", "lines in noise go", "features/crease_lines.cpp", "looksLikeNoise(among(sharp, false))", "false"),
     ("lines", "close lines go", "features/crease_lines.cpp",
      "if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();", ""),
     ("lines", "lines grow from their ends", "features/crease_lines.cpp", "\t\t\tgrowFromEnds(sharp);\n", ""),

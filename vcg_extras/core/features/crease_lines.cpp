@@ -46,10 +46,10 @@ public:
 		std::vector<int> sharp = findSharpEdges();
 		if (!sharp.empty()) {
 			markAll(sharp);
-			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(withoutSeams(sharp))) {
+			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(among(sharp, false))) {
 				m_.crease.release();
 				found.wasNoise = true;
-				sharp          = seamsAmong(sharp);
+				sharp          = among(sharp, true);
 				if (sharp.empty()) return found;
 				markAll(sharp);
 			}
@@ -133,20 +133,13 @@ private:
 		return std::binary_search(rules_.seams.begin(), rules_.seams.end(), h);
 	}
 
-	std::vector<int> withoutSeams(const std::vector<int>& edges) const
+	/// The edges that are seams, or all other edges.
+	std::vector<int> among(const std::vector<int>& edges, bool areSeams) const
 	{
-		std::vector<int> others;
-		std::copy_if(edges.begin(), edges.end(), std::back_inserter(others),
-					 [&](int h) { return !isSeam(h); });
-		return others;
-	}
-
-	std::vector<int> seamsAmong(const std::vector<int>& edges) const
-	{
-		std::vector<int> seams;
-		std::copy_if(edges.begin(), edges.end(), std::back_inserter(seams),
-					 [&](int h) { return isSeam(h); });
-		return seams;
+		std::vector<int> found;
+		std::copy_if(edges.begin(), edges.end(), std::back_inserter(found),
+					 [&](int h) { return isSeam(h) == areSeams; });
+		return found;
 	}
 
 	// ---- noise

@@ -163,16 +163,26 @@ private:
 	{
 		const int v = m_.origin[h], b = m_.target(h);
 		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
-		const Vec3f p = m_.position[v], q = m_.position[b];
+		const Vec3f p = m_.position[v];
+		return worstAfter(v, b, [&](const Vec3f& now, const Vec3f& s, const Vec3f& t) {
+			const Vec3f then  = cross(s - p, t - p);
+			const float scale = length(then) * length(now);
+			return dot(then, now) < rules.minCosine * scale;
+		});
+	}
+
+	/// The worst shape after v is merged into b, or noScore if a face turns or has too long edges.
+	template <class Turns>
+	float worstAfter(int v, int b, const Turns& turns) const
+	{
+		const Vec3f q     = m_.position[b];
 		float       worst = 1;
-		forEachOutgoing(m_, v, [&](int x) {
-			if (m_.target(x) == b || m_.apex(x) == b) return;
-			const Vec3f s = m_.position[m_.target(x)], t = m_.position[m_.apex(x)];
-			const Vec3f then = cross(s - p, t - p), now = cross(s - q, t - q);
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.target(h) == b || m_.apex(h) == b) return;
+			const Vec3f s = m_.position[m_.target(h)], t = m_.position[m_.apex(h)];
 			const bool  tooLong =
 				squaredLength(s - q) > longestSquared_ || squaredLength(t - q) > longestSquared_;
-			const float scale = length(then) * length(now);
-			if (tooLong || dot(then, now) < rules.minCosine * scale) worst = noScore;
+			if (tooLong || turns(cross(s - q, t - q), s, t)) worst = noScore;
 			worst = std::min(worst, triangleShape(q, s, t));
 		});
 		return worst;
@@ -196,23 +206,15 @@ private:
 	{
 		const int b = borderNeighbour(m_, v, forward);
 		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
-		const Vec3f p = m_.position[v], q = m_.position[b];
+		const Vec3f p = m_.position[v];
 		Vec3f       normal;
 		forEachOutgoing(m_, v, [&](int h) {
 			normal += cross(m_.position[m_.target(h)] - p, m_.position[m_.apex(h)] - p);
 		});
-		normal      = normalized(normal);
-		float worst = 1;
-		forEachOutgoing(m_, v, [&](int h) {
-			if (m_.target(h) == b || m_.apex(h) == b) return;
-			const Vec3f x = m_.position[m_.target(h)], y = m_.position[m_.apex(h)];
-			const Vec3f n = cross(x - q, y - q);
-			const bool  tooLong =
-				squaredLength(x - q) > longestSquared_ || squaredLength(y - q) > longestSquared_;
-			if (tooLong || dot(n, normal) < rules.minCosine * length(n)) worst = noScore;
-			worst = std::min(worst, triangleShape(q, x, y));
+		normal = normalized(normal);
+		return worstAfter(v, b, [&](const Vec3f& now, const Vec3f&, const Vec3f&) {
+			return dot(now, normal) < rules.minCosine * length(now);
 		});
-		return worst;
 	}
 };
 

@@ -46,17 +46,9 @@ std::int64_t ResultMesh::vertexNum() const
 ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 {
 	ResultMesh copy;
-	copy.mesh            = copyMesh(result.mesh, workers);
-	copy.vertex          = result.vertex;
-	copy.keepsBorder     = result.keepsBorder;
-	copy.hasSmoothBorder = result.hasSmoothBorder;
-	copy.idealEdge       = result.idealEdge;
-	copy.copyNum         = result.copyNum;
-	copy.flipNum         = result.flipNum;
-	copy.splitNum        = result.splitNum;
-	copy.collapseNum     = result.collapseNum;
-	copy.byCollapseNum   = result.byCollapseNum;
-	copy.leftoverNum     = result.leftoverNum;
+	static_cast<ResultFacts&>(copy) = result;
+	copy.mesh                       = copyMesh(result.mesh, workers);
+	copy.vertex                     = result.vertex;
 	return copy;
 }
 

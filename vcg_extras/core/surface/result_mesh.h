@@ -25,13 +25,9 @@ struct ResultVertex {
 	int  sample   = -1;    ///< index of the vertex among the samples; -1: made later
 };
 
-/// The result mesh under way, from retriangulation to the end. Before the fit,
-/// vertex[v].point.position is mesh.position[v]. The fit then moves vertices off the surface; the
-/// surface points stay on the surface, below the vertices.
-struct ResultMesh {
-	HalfEdgeMesh              mesh;
-	std::vector<ResultVertex> vertex;
-	bool                      keepsBorder = false; ///< no border edge may be split
+/// The facts about a result mesh under way.
+struct ResultFacts {
+	bool keepsBorder     = false; ///< no border edge may be split
 	bool hasSmoothBorder = false; ///< border vertices need not lie on the border of the working
 								  ///< surface
 	float idealEdge = 0;          ///< edge of the lattice of equilateral triangles, L0
@@ -43,6 +39,14 @@ struct ResultMesh {
 	std::int64_t byCollapseNum = 0; ///< input vertices removed by collapses, as their holes could
 									///< not be closed
 	std::int64_t leftoverNum = 0;   ///< input vertices that could not be removed
+};
+
+/// The result mesh under way, from retriangulation to the end. Before the fit,
+/// vertex[v].point.position is mesh.position[v]. The fit then moves vertices off the surface; the
+/// surface points stay on the surface, below the vertices.
+struct ResultMesh : ResultFacts {
+	HalfEdgeMesh              mesh;
+	std::vector<ResultVertex> vertex;
 
 	/// Number of vertices after joining the sheets, and after joining half a symmetric mesh to its
 	/// mirror image.
