@@ -25,6 +25,7 @@ struct Told {
 	void addTrials(double goal, int trialNum, const std::string& outcome);
 	/// Adds the time since the start of a call with several runs, less the time of this run.
 	void addOtherRuns(StageClock::Clock::time_point start);
+
 	template <class Result>
 	void handOver(Result& out)
 	{

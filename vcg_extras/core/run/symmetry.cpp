@@ -262,7 +262,7 @@ void remeshSymmetric(const Call& call, RemeshResult& out)
 	RemeshOptions ofWhole    = call.options;
 	ofWhole.featureRegion    = FeatureRegion::None; // found on the half
 	ofWhole.featureDiskScale = 0;
-	PlainRun        plain({call.input, ofWhole, call.progress, call.stop, call.cache},
+	PlainRun        plain({call.input, ofWhole, call.progress, call.stop, call.cache, call.start},
 						  Pipeline::Remeshing);
 	SymmetricRun    symmetric(call, plain.setup.run, plain.made);
 	const TellAtEnd teller{symmetric, out};
