@@ -28,6 +28,19 @@ struct Sheet {
 	{
 		return cutPart(result, tree, widened(result.mesh, {face}, 1));
 	}
+
+	/// A part round a face, filled with its own faces.
+	FilledPart unchangedPart(int face)
+	{
+		FilledPart p;
+		p.part          = partRound(face);
+		p.replaced      = widened(result.mesh, {face}, 1 + ringsChanged);
+		p.filled.mesh   = copyMesh(p.part.result.mesh, workers);
+		p.filled.vertex = p.part.result.vertex;
+		p.filled.oldVertex.resize(p.part.vertex.size());
+		std::iota(p.filled.oldVertex.begin(), p.filled.oldVertex.end(), 0);
+		return p;
+	}
 };
 
 std::vector<std::vector<Vec3f>> sortedFaces(const HalfEdgeMesh& m)
@@ -56,16 +69,8 @@ TEST(PatchPart, LeavesTheWholeAsItWasWhenItIsPutBack)
 {
 	Sheet                   sheet;
 	std::vector<FilledPart> parts;
-	for (int face : {0, sheet.result.mesh.faceNum - 1}) {
-		FilledPart p;
-		p.part          = sheet.partRound(face);
-		p.replaced      = widened(sheet.result.mesh, {face}, 1 + ringsChanged);
-		p.filled.mesh   = copyMesh(p.part.result.mesh, sheet.workers);
-		p.filled.vertex = p.part.result.vertex;
-		p.filled.oldVertex.resize(p.part.vertex.size());
-		std::iota(p.filled.oldVertex.begin(), p.filled.oldVertex.end(), 0);
-		parts.push_back(std::move(p));
-	}
+	for (int face : {0, sheet.result.mesh.faceNum - 1})
+		parts.push_back(sheet.unchangedPart(face));
 	const auto       before    = sortedFaces(sheet.result.mesh);
 	const int        vertexNum = sheet.result.mesh.vertexNum;
 	std::vector<int> newIndex;
@@ -80,6 +85,17 @@ TEST(PatchPart, LeavesTheWholeAsItWasWhenItIsPutBack)
 	}
 	for (int v = 0; v < vertexNum; ++v)
 		EXPECT_EQ(newIndex[std::size_t(v)], v);
+}
+
+TEST(PatchPart, OfJoinedSheetsIsPutBackIntoJoinedSheets)
+{
+	Sheet sheet;
+	sheet.result.mesh.meetsAtPlaces = true;
+	std::vector<FilledPart> parts;
+	parts.push_back(sheet.unchangedPart(0));
+	std::vector<int> newIndex;
+	putBack(parts, sheet.result, newIndex);
+	EXPECT_TRUE(sheet.result.mesh.meetsAtPlaces);
 }
 
 TEST(PatchPart, HasRoomUnlessMarksComeNearItsRim)

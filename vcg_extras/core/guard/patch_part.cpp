@@ -156,6 +156,7 @@ public:
 	{
 		const HalfEdgeMesh& old = whole_.mesh;
 		m_.mirrorAxis           = old.mirrorAxis;
+		m_.meetsAtPlaces        = old.meetsAtPlaces;
 		nameVertices();
 		for (const FilledPart& part : parts_) {
 			for (int f : part.replaced)
