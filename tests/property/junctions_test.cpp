@@ -317,6 +317,28 @@ TEST(Junctions, RandomCellsStayClosed)
 	}
 }
 
+TEST(Junctions, OfRandomCellsStayWithMatchedBorders)
+{
+	for (std::uint32_t seed : testSeeds(2)) {
+		Random        random(seed);
+		const Complex cells = randomCells(9, random);
+		for (const double edge : {0.7, 1.2}) {
+			SCOPED_TRACE("seed " + std::to_string(seed) + ", edge " + std::to_string(edge));
+			RemeshOptions o;
+			o.targetMode              = TargetMode::EdgeLength;
+			o.targetEdgeLen           = edge;
+			o.boundary                = BoundaryMode::Match;
+			o.junctions               = JunctionMode::Keep;
+			o.check                   = true;
+			MeshView view             = cells.mesh.view();
+			view.region               = cells.region.data();
+			const RemeshResult result = remesh(view, o);
+			ASSERT_EQ(result.status, Status::Ok) << result.message;
+			expectKept(cells, result, std::int64_t(result.mesh.vertexNum()));
+		}
+	}
+}
+
 TEST(Junctions, AWishTakesMoreVerticesWhereSheetsWouldIntersect)
 {
 	// Two rooms of flat walls: the error alone would need fewer vertices than the sheets.

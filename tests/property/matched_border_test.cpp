@@ -295,6 +295,93 @@ TEST(MatchedBorder, AnErrorInPercentIsThatInMeshUnits)
 	EXPECT_EQ(remesh(mesh.view(), units).mesh.vertexNum(), a.mesh.vertexNum());
 }
 
+/// A tile with a wall below its middle column: three faces meet at each edge there.
+TriangleMesh tileOnAWall(int side, Random& random)
+{
+	TriangleMesh       mesh  = tile(0, side, 0.2, random);
+	const std::int32_t first = std::int32_t(mesh.vertexNum()), top = side / 2 * (side + 1);
+	const int          depth = side / 4;
+	for (int k = 1; k <= depth; ++k) {
+		for (int j = 0; j <= side; ++j)
+			mesh.positions.push_back(mesh.positions[std::size_t(top + j)] -
+									 Vec3d(0, 0, double(k) / side));
+	}
+	for (int k = 0; k < depth; ++k) {
+		for (int j = 0; j < side; ++j) {
+			const std::int32_t a = (k == 0 ? top : first + (k - 1) * (side + 1)) + j,
+							   b = first + k * (side + 1) + j;
+			mesh.triangles.insert(mesh.triangles.end(), {a, b, b + 1, a, b + 1, a + 1});
+		}
+	}
+	return mesh;
+}
+
+TEST(MatchedBorder, JunctionsAreSpacedLikeTheBorder)
+{
+	for (std::uint32_t seed : testSeeds(3)) {
+		for (const JunctionMode junctions : {JunctionMode::Cut, JunctionMode::Keep}) {
+			SCOPED_TRACE("seed " + std::to_string(seed));
+			Random             random(seed);
+			const TriangleMesh mesh = tileOnAWall(24, random);
+			RemeshOptions      options;
+			options.targetMode        = TargetMode::EdgeLength;
+			options.targetEdgeLen     = 0.08;
+			options.boundary          = BoundaryMode::Match;
+			options.junctions         = junctions;
+			options.check             = true;
+			options.seed              = seed;
+			const RemeshResult result = remesh(mesh.view(), options);
+			ASSERT_EQ(result.status, Status::Ok) << result.message;
+			EXPECT_GT(result.report.quality.minAngleDeg, 20);
+			EXPECT_EQ(result.report.audit.guarded.vertexNum, 0);
+			if (junctions == JunctionMode::Keep) {
+				EXPECT_EQ(result.report.check.intersectingFaces, 0);
+			}
+		}
+	}
+}
+
+/// The vertices of a mesh that are kept with edges of length 10.
+std::vector<std::uint8_t> keptOf(const TriangleMesh& mesh)
+{
+	Workers             workers(1, nullptr);
+	const MatchedBorder matched = matchBorder(mesh.view(), 10, {}, workers);
+	EXPECT_EQ(matched.positions.size(), mesh.vertexNum());
+	return matched.isKept;
+}
+
+TEST(MatchedBorder, ShortJunctionsWithTheSameEndsGetAVertexEach)
+{
+	// Three slices of an orange: four curves with three faces each lead from end to end.
+	TriangleMesh mesh;
+	mesh.positions = {{-1, 0, 0},  {1, 0, 0},      {0, 0, 0},
+					  {0, 0.3, 0}, {0, -0.2, 0.2}, {0, -0.2, -0.2}};
+	for (const auto& [m, n] : {std::pair(2, 3), {2, 4}, {2, 5}, {3, 4}, {4, 5}, {5, 3}})
+		mesh.triangles.insert(mesh.triangles.end(), {0, m, n, 1, n, m});
+	EXPECT_EQ(keptOf(mesh), std::vector<std::uint8_t>(6, 1));
+}
+
+TEST(MatchedBorder, AVertexStaysWhereTheNumberOfFacesAtAJunctionChanges)
+{
+	// Three pages of a book; a tetrahedron shares the second edge of the spine.
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+	for (const auto& [y, z] : {std::pair(1, 0), {-1, 1}, {-1, -1}}) {
+		const auto first = std::int32_t(mesh.vertexNum());
+		for (int x = 0; x < 3; ++x)
+			mesh.positions.push_back({double(x), double(y), double(z)});
+		for (int a = 0; a < 2; ++a)
+			mesh.triangles.insert(mesh.triangles.end(),
+								  {a, a + 1, first + a, a + 1, first + a + 1, first + a});
+	}
+	EXPECT_EQ(keptOf(mesh)[1], 0);
+	const auto tip = std::int32_t(mesh.vertexNum());
+	mesh.positions.insert(mesh.positions.end(), {{1.5, 0.1, 0.3}, {1.5, 0.3, 0.1}});
+	mesh.triangles.insert(mesh.triangles.end(), {1, 2, tip, 2, 1, tip + 1, 1, tip, tip + 1});
+	mesh.triangles.insert(mesh.triangles.end(), {2, tip + 1, tip});
+	EXPECT_EQ(keptOf(mesh)[1], 1);
+}
+
 TEST(MatchedBorder, AClosedSurfaceIsRemeshedAsWithoutIt)
 {
 	const TriangleMesh mesh    = icosphere(4);

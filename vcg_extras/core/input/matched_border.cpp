@@ -41,11 +41,14 @@ bool isBefore(const Vec3d& a, const Vec3d& b)
 	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);
 }
 
-/// An edge of the border: its corner of the mesh and its neighbours along the border.
+/// An edge of the border or of a junction, and its neighbours along the line.
 struct BorderEdge {
-	int                   corner; ///< corner of the face at the edge's begin
+	std::vector<int>      corners;            ///< of its faces, at the begins of their sides
+	bool                  isReversed = false; ///< against the direction of the first side
 	int                   next = none, last = none;
 	PeriodicBorder::Shift shift = {}; ///< periods from the edge with the computed samples
+
+	bool isOfJunction() const { return corners.size() > 1; }
 };
 
 /// A sample inside an edge of the border.
@@ -64,12 +67,11 @@ public:
 	{
 		numberPlaces();
 		findEdges();
+		directJunctions();
 		findTranslates(period);
 		link();
 		findStops();
-		for (int e = 0; e < int(edge.size()); ++e) {
-			if (isStop_[std::size_t(e)]) samplePiece(e);
-		}
+		samplePieces();
 		for (std::size_t v = 0; v < isKept.size(); ++v)
 			isKept[v] = isKeptPlace_[std::size_t(place_[v])];
 	}
@@ -87,6 +89,9 @@ public:
 	std::vector<std::vector<Inside>> inside; ///< per edge, by share
 	std::vector<std::uint8_t>        isKept; ///< per vertex of the input mesh
 
+	/// Whether the side of edge e from a corner has the direction of the edge.
+	bool isAlong(int e, int corner) const { return placeOf(corner) == beginOf(e); }
+
 	/// Position of a vertex of the input mesh; a translate gets its exact position.
 	Vec3d placed(std::size_t v) const
 	{
@@ -99,8 +104,14 @@ private:
 	{
 		return place_[std::size_t(input_.vertexOf(std::size_t(corner)))];
 	}
-	int beginOf(int e) const { return placeOf(edge[std::size_t(e)].corner); }
-	int endPlace(int e) const { return placeOf(nextCorner(edge[std::size_t(e)].corner)); }
+	int sideBegin(int e) const { return placeOf(edge[std::size_t(e)].corners[0]); }
+	int sideEnd(int e) const { return placeOf(nextCorner(edge[std::size_t(e)].corners[0])); }
+	int beginOf(int e) const { return edge[std::size_t(e)].isReversed ? sideEnd(e) : sideBegin(e); }
+	int endPlace(int e) const
+	{
+		return edge[std::size_t(e)].isReversed ? sideBegin(e) : sideEnd(e);
+	}
+	PeriodicBorder::Edge placesOf(int e) const { return {beginOf(e), endPlace(e)}; }
 	/// Begin of an edge; for a translate, begin of the edge with the computed samples.
 	Vec3d at(int e) const { return translated(beginOf(e), edge[std::size_t(e)].shift); }
 	/// End of an edge, as at().
@@ -148,9 +159,45 @@ private:
 		}
 		std::sort(sides.begin(), sides.end());
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-			if (end - begin == 1) edge.push_back({sides[begin].halfEdge});
+			if (end - begin == 2) return;
+			edge.emplace_back();
+			for (std::size_t i = begin; i < end; ++i)
+				edge.back().corners.push_back(sides[i].halfEdge);
 		});
 		inside.resize(edge.size());
+	}
+
+	/// Gives the edges of each junction curve one direction: faces at a junction have any.
+	void directJunctions()
+	{
+		std::map<int, std::vector<int>> edgesAt;
+		for (int e = 0; e < int(edge.size()); ++e) {
+			edgesAt[beginOf(e)].push_back(e);
+			edgesAt[endPlace(e)].push_back(e);
+		}
+		std::vector<char> isDirected(edge.size(), 0);
+		for (int e = 0; e < int(edge.size()); ++e) {
+			if (!edge[std::size_t(e)].isOfJunction() || isDirected[std::size_t(e)]) continue;
+			isDirected[std::size_t(e)] = 1;
+			for (const bool forward : {true, false})
+				directFrom(e, forward, edgesAt, isDirected);
+		}
+	}
+
+	/// Directs the edges of a junction curve on one side of edge e like edge e.
+	void directFrom(int e, bool forward, const std::map<int, std::vector<int>>& edgesAt,
+					std::vector<char>& isDirected)
+	{
+		while (true) {
+			const int               place = forward ? endPlace(e) : beginOf(e);
+			const std::vector<int>& here  = edgesAt.at(place);
+			if (here.size() != 2) return;
+			e                = here[0] == e ? here[1] : here[0];
+			BorderEdge& next = edge[std::size_t(e)];
+			if (!next.isOfJunction() || isDirected[std::size_t(e)]) return;
+			isDirected[std::size_t(e)] = 1;
+			next.isReversed            = (forward ? sideBegin(e) : sideEnd(e)) != place;
+		}
 	}
 
 	/// Faces that are not usable are left out of the run.
@@ -169,11 +216,12 @@ private:
 		std::vector<PeriodicBorder::Edge> ends;
 		for (std::size_t v = 0; v < input_.vertexNum; ++v)
 			position.push_back(input_.position(v));
-		for (int e = 0; e < int(edge.size()); ++e)
-			ends.emplace_back(beginOf(e), endPlace(e));
+		for (int e = 0; e < int(edge.size()); ++e) {
+			if (!edge[std::size_t(e)].isOfJunction()) ends.push_back(placesOf(e));
+		}
 		periodic_ = PeriodicBorder(position, ends, period);
-		for (std::size_t e = 0; e < edge.size(); ++e)
-			edge[e].shift = periodic_.shiftOf(ends[e]);
+		for (int e = 0; e < int(edge.size()); ++e)
+			edge[std::size_t(e)].shift = periodic_.shiftOf(placesOf(e));
 	}
 
 	/// The edges that begin and the edges that end at a place.
@@ -201,14 +249,15 @@ private:
 		}
 	}
 
-	/// Whether other than two edges meet, or the two edges have different translates.
+	/// Whether other than two edges meet, or the two edges have different numbers of faces or
+	/// different translates.
 	bool isNodeAt(const Meeting& meeting) const
 	{
 		if (meeting.begin.size() != 1 || meeting.end.size() != 1) return true;
 		const int a = meeting.end[0], b = meeting.begin[0];
+		if (edge[std::size_t(a)].corners.size() != edge[std::size_t(b)].corners.size()) return true;
 		return edge[std::size_t(a)].shift != edge[std::size_t(b)].shift ||
-			   periodic_.axesOnward({beginOf(a), endPlace(a)}) !=
-				   periodic_.axesOnward({beginOf(b), endPlace(b)});
+			   periodic_.axesOnward(placesOf(a)) != periodic_.axesOnward(placesOf(b));
 	}
 
 	/// The place at the length `way` along the border from the begin of edge e, forward or
@@ -312,10 +361,28 @@ private:
 		return piece;
 	}
 
-	void samplePiece(int first)
+	/// Two pieces with the same ends get a sample each at least: a loop of two pieces then has
+	/// three samples, and no edge of the result coincides with another.
+	void samplePieces()
 	{
-		const std::vector<int> piece = pieceFrom(first);
-		std::vector<Vec3d>     point{at(piece.front())};
+		std::vector<std::vector<int>>       pieces;
+		std::map<PeriodicBorder::Edge, int> num; ///< of pieces, by their ends
+		const auto endsOf = [&](const std::vector<int>& piece) -> PeriodicBorder::Edge {
+			return std::minmax({beginOf(piece.front()), endPlace(piece.back())});
+		};
+		for (int e = 0; e < int(edge.size()); ++e) {
+			if (!isStop_[std::size_t(e)]) continue;
+			pieces.push_back(pieceFrom(e));
+			++num[endsOf(pieces.back())];
+		}
+		for (const std::vector<int>& piece : pieces)
+			samplePiece(piece, num[endsOf(piece)] > 1 ? 2 : 1);
+	}
+
+	/// least: the least number of parts of a piece that is not closed.
+	void samplePiece(const std::vector<int>& piece, int least)
+	{
+		std::vector<Vec3d> point{at(piece.front())};
 		for (const int e : piece)
 			point.push_back(endOf(e));
 		const bool isClosed = point.front() == point.back();
@@ -327,8 +394,7 @@ private:
 			whole += length(point[i] - point[i - 1]);
 		if (whole > mostSamples * edge_)
 			throw Failure(Status::OutOfMemory, "The border would have too many vertices.");
-		const int least = isClosed ? 3 : 1;
-		const int num   = std::max(least, int(std::round(whole / edge_)));
+		const int num = std::max(isClosed ? 3 : least, int(std::round(whole / edge_)));
 		keep(piece.front());
 		keepEnd(piece.back());
 		double arc = 0;
@@ -376,6 +442,63 @@ struct PartCorner {
 };
 
 using Part = std::array<PartCorner, 3>;
+
+/// Makes the vertices of the samples. The faces at an edge of a junction share them if they share
+/// the edge's ends.
+class SampleVertices {
+public:
+	SampleVertices(const MeshView& input, const BorderSampling& border, MatchedBorder& out) :
+			input_(input), border_(border), out_(out)
+	{
+		for (int e = 0; e < int(border.edge.size()); ++e) {
+			if (border.inside[std::size_t(e)].empty()) continue;
+			for (const int corner : border.edge[std::size_t(e)].corners)
+				edgeAt_[corner] = e;
+		}
+	}
+
+	/// Names the samples on the edge from a corner of the input mesh, if any.
+	void insertAt(int corner, PartCorner& part)
+	{
+		const auto found = edgeAt_.find(corner);
+		if (found == edgeAt_.end()) return;
+		const int                  e       = found->second;
+		const bool                 isAlong = border_.isAlong(e, corner);
+		const std::vector<Inside>& inside  = border_.inside[std::size_t(e)];
+		const std::int32_t         first   = firstOf(e, corner);
+		for (std::size_t i = 0; i < inside.size(); ++i) {
+			const std::size_t at = isAlong ? i : inside.size() - 1 - i;
+			part.vertices.push_back(first + std::int32_t(at));
+			part.shares.push_back(float(isAlong ? inside[at].share : 1 - inside[at].share));
+		}
+	}
+
+private:
+	const MeshView&       input_;
+	const BorderSampling& border_;
+	MatchedBorder&        out_;
+	std::map<int, int>    edgeAt_; ///< by the corner at the begin of a side
+	/// The first sample's vertex, by the edge and the vertices at its ends.
+	std::map<std::array<std::int32_t, 3>, std::int32_t> first_;
+
+	std::int32_t firstOf(int e, int corner)
+	{
+		const std::int32_t a = input_.vertexOf(std::size_t(corner)),
+						   b = input_.vertexOf(
+							   std::size_t(corner % 3 == 2 ? corner - 2 : corner + 1));
+		const auto found = first_.insert(
+			{{e, std::min(a, b), std::max(a, b)}, std::int32_t(out_.positions.size())});
+		if (!found.second) return found.first->second;
+		for (const Inside& sample : border_.inside[std::size_t(e)]) {
+			out_.positions.push_back(sample.place);
+			out_.isKept.push_back(1);
+			if (!out_.selected.empty())
+				out_.selected.push_back(out_.selected[std::size_t(a)] != 0 &&
+										out_.selected[std::size_t(b)] != 0);
+		}
+		return found.first->second;
+	}
+};
 
 /// Cuts faces at the samples of their border edges.
 class FaceSplitting {
@@ -466,14 +589,8 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 		out.positions.push_back(border.placed(v));
 	if (input.selected != nullptr)
 		out.selected.assign(input.selected, input.selected + input.vertexNum);
-	std::map<int, int> edgeAt; ///< by the corner at the edge's begin
-	for (int e = 0; e < int(border.edge.size()); ++e) {
-		if (!border.inside[std::size_t(e)].empty()) edgeAt[border.edge[std::size_t(e)].corner] = e;
-	}
-	const auto isSelected = [&](std::size_t corner) {
-		return !out.selected.empty() && out.selected[std::size_t(input.vertexOf(corner))] != 0;
-	};
-	FaceSplitting faces(input, out);
+	SampleVertices samples(input, border, out);
+	FaceSplitting  faces(input, out);
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
 		pollNowAndThen(f, workers);
 		Part part;
@@ -482,16 +599,7 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 			part[k].vertex      = input.vertexOf(c);
 			part[k].at.from     = std::uint8_t(k);
 			if (input.line != nullptr) part[k].line = input.line[c];
-			const auto found = edgeAt.find(int(c));
-			if (found == edgeAt.end()) continue;
-			const bool areEndsSelected = isSelected(c) && isSelected(3 * f + (k + 1) % 3);
-			for (const Inside& sample : border.inside[std::size_t(found->second)]) {
-				part[k].vertices.push_back(std::int32_t(out.positions.size()));
-				part[k].shares.push_back(float(sample.share));
-				out.positions.push_back(sample.place);
-				out.isKept.push_back(1);
-				if (!out.selected.empty()) out.selected.push_back(areEndsSelected);
-			}
+			samples.insertAt(int(c), part[k]);
 		}
 		faces.split(std::int32_t(f), std::move(part));
 	}

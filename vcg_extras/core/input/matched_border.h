@@ -33,6 +33,8 @@ struct MatchedBorder {
 };
 
 /// Splits the faces at the border at the samples of the border for an edge length (mesh units).
+/// Edges with more than two faces get samples like borders, the same for all faces: the run cuts
+/// the surface there, or keeps the junction.
 /// Borders are cut into pieces at corners, which turn by 50° over .6 edges, and at places with
 /// other than two border edges; each piece gets samples at equal lengths. All is computed in double
 /// and in a direction given by the places of the piece's ends: meshes with a common piece get the
