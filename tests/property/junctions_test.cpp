@@ -306,6 +306,52 @@ TEST(Junctions, ASlitOfOneEdge)
 	EXPECT_EQ(factsOfJunctions(result.mesh), factsOfJunctions(complex.mesh));
 }
 
+/// Pages of a book: square sheets with the spine in common.
+TriangleMesh book(int pageNum, int size)
+{
+	TriangleMesh mesh;
+	for (int i = 0; i <= size; ++i)
+		mesh.positions.push_back({double(i), 0, 0});
+	for (int page = 0; page < pageNum; ++page) {
+		const double       angle = 6.283185307179586 * page / pageNum;
+		const std::int32_t first = std::int32_t(mesh.vertexNum());
+		for (int j = 1; j <= size; ++j) {
+			for (int i = 0; i <= size; ++i)
+				mesh.positions.push_back({double(i), j * std::cos(angle), j * std::sin(angle)});
+		}
+		for (int j = 0; j < size; ++j) {
+			for (int i = 0; i < size; ++i) {
+				const std::int32_t a = (j == 0 ? 0 : first + (j - 1) * (size + 1)) + i,
+								   b = first + j * (size + 1) + i;
+				mesh.triangles.insert(mesh.triangles.end(), {a, a + 1, b + 1, a, b + 1, b});
+			}
+		}
+	}
+	return mesh;
+}
+
+TEST(Junctions, StayWithFewVertices)
+{
+	for (const int pageNum : {3, 6}) {
+		const TriangleMesh mesh       = book(pageNum, 4);
+		int                refusalNum = 0;
+		for (std::int64_t num = 2 * pageNum + 2; num < 12 * pageNum; ++num) {
+			SCOPED_TRACE(std::to_string(pageNum) + " pages, " + std::to_string(num) + " vertices");
+			RemeshOptions o           = countOptions(num);
+			o.junctions               = JunctionMode::Keep;
+			const RemeshResult result = remesh(mesh.view(), o);
+			if (result.status == Status::CountTooSmall) { // some triangles would be degenerate
+				++refusalNum;
+				continue;
+			}
+			ASSERT_EQ(result.status, Status::Ok) << result.message;
+			EXPECT_EQ(std::int64_t(result.mesh.vertexNum()), num);
+			EXPECT_EQ(factsOfJunctions(result.mesh), factsOfJunctions(mesh));
+		}
+		EXPECT_LT(refusalNum, 3 * pageNum) << pageNum << " pages";
+	}
+}
+
 TEST(Junctions, RandomCellsStayClosed)
 {
 	for (std::uint32_t seed : testSeeds(6)) {

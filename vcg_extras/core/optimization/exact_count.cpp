@@ -468,9 +468,11 @@ private:
 		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			// Corners of the border go last.
-			const int  energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
-			const bool may    = care_ == Care::TopologyOnly && !r_.vertex[m_.origin[h]].isPinned;
-			if (may) return CountChange{energy, rank, h, 0};
+			const ResultVertex& v      = r_.vertex[m_.origin[h]];
+			const int           energy = v.isCorner ? 2000 : 1000;
+			// A junction needs the vertex on every sheet.
+			const bool isHeld = v.isPinned || (m_.meetsAtPlaces && v.isShared);
+			if (care_ == Care::TopologyOnly && !isHeld) return CountChange{energy, rank, h, 0};
 			return {};
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
