@@ -82,6 +82,22 @@ TEST(SearchCount, MeetsTheGoalWithinFiveTrials)
 	}
 }
 
+/// Thin walls: until the triangles are as small as the walls are thick, most of the surface misses
+/// the goal, and the forecast is far too small.
+TEST(SearchCount, RecoversFromAForecastFarTooSmall)
+{
+	const auto trial = [](std::int64_t n) {
+		ErrorTrial t{n, n < 1500 ? 2.0 : 0.4};
+		t.share = n < 60 ? 0.97 : n < 700 ? 0.6 : n < 1500 ? 0.2 : 0;
+		return t;
+	};
+	for (const std::int64_t start : {5, 20, 100}) {
+		const std::int64_t found = searchCount(goalOf(0.5, start), trial);
+		EXPECT_GE(found, 1500) << "from " << start;
+		EXPECT_LE(found, 6000) << "from " << start;
+	}
+}
+
 TEST(SearchCount, AddsWhatSmallerTrianglesAskFor)
 {
 	std::vector<std::int64_t> tried;

@@ -28,8 +28,11 @@ constexpr double nearCounts = 1.08;
 constexpr double largestGrowth = 4, largestShrink = 1.4;
 /// The first count is a forecast. It is rarely below half of what is needed, as places that miss
 /// the bound get smaller triangles.
-constexpr double       growthAfterForecast = 2;
-constexpr std::int64_t minCount            = 4;
+constexpr double growthAfterForecast = 2;
+/// If more than this share of the area misses the bound, the count is far too small: as with thin
+/// walls that the triangles are too wide for. The largest change of the count is then larger.
+constexpr double       shareOfFarOff = 0.5, growthFromFarOff = 16;
+constexpr std::int64_t minCount = 4;
 
 } // namespace
 
@@ -85,14 +88,16 @@ std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 {
 	const double n = double(t.evenNum());
 	if (n == 0 || t.evenNum() >= goal_.most) return 0;
-	const double share   = std::min(0.5, std::max(t.share, 1e-12));
+	const double share   = std::min(0.9, std::max(t.share, 1e-12));
 	const double byArea  = portable::log(shareForSpots) / portable::log(share);
 	const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
 	if (met_.vertexNum > 0) return between(t, bySpots);
 	// The last trial must meet the bound, even with too many vertices.
 	const double byError = left_ == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
 	const bool   isFirst = left_ == goal_.maxTrials - 1;
-	const double most    = isFirst ? growthAfterForecast : largestGrowth;
+	const double most    = t.share > shareOfFarOff ? growthFromFarOff
+						   : isFirst               ? growthAfterForecast
+												   : largestGrowth;
 	return clamped(std::min(std::max(bySpots, byError), most) * n);
 }
 
