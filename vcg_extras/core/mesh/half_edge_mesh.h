@@ -70,7 +70,7 @@ struct HalfEdgeMesh {
 		return mirrorAxis >= 0 && coordinate(position[v], mirrorAxis) == 0;
 	}
 
-	/// The number of sides of the mirror plane that the mesh stands for: 2 for half a mesh.
+	/// The number of sides of the mirror plane in the whole mesh: 2 for half of a symmetric mesh.
 	int sideNum() const { return mirrorAxis >= 0 ? 2 : 1; }
 	/// The number of vertices of the whole mesh for a vertex at a place.
 	int multiplicity(const Vec3f& place) const

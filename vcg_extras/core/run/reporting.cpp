@@ -97,7 +97,7 @@ Told tellOfWhole(RunContext& run, const Products& made, RemeshReport half)
 	Told                 told   = tellOf(run, made, Decisions());
 	RemeshReport&        whole  = told.report;
 	const GuardedFigures ofHalf = half.audit.guarded;
-	half.stages = std::move(whole.stages);
+	half.stages                 = std::move(whole.stages);
 	half.capsReached.insert(half.capsReached.end(), whole.capsReached.begin(),
 							whole.capsReached.end());
 	reportInput(run.input, made.surface, half);
