@@ -14,18 +14,18 @@ namespace {
 /// If at most this share of the area misses the bound, only the triangles there become smaller.
 /// Above, all triangles are too large.
 constexpr double shareForSpots = 0.01;
-/// Factor on the count of the last trial, over a count from error ∝ 1 / count.
-constexpr double lastCaution = 1.15;
-/// Growth of the count for the finer places alone.
-constexpr double leastGrowth = 1.03;
+/// Growth of the count after a trial that missed the bound, at least, and for the last trial.
+/// Single places that miss the bound depend on chance, so that their distances tell little.
+constexpr double leastGrowth = 1.15, growthAtLast = 1.5;
 /// Wanted share of vertices added at single places.
 constexpr double shareToAdd = 0.05;
 /// A count is near enough to the smallest if the next count is not below this share.
 constexpr double nearEnough = 0.87;
 /// The search ends between a count that meets and a count that misses the bound at this quotient.
 constexpr double nearCounts = 1.08;
-/// Largest change of the count from one trial to the next.
-constexpr double largestGrowth = 4, largestShrink = 1.4;
+/// Largest change of the count from one trial to the next. After added vertices the count shrinks
+/// less: far fewer vertices would miss the bound at very many places.
+constexpr double largestGrowth = 4, largestShrink = 3, shrinkAfterAdded = 1.4;
 /// The first count is a forecast. It is rarely below half of what is needed, as places that miss
 /// the bound get smaller triangles.
 constexpr double growthAfterForecast = 2;
@@ -78,7 +78,8 @@ std::int64_t CountSearch::fewerThan(const ErrorTrial& t) const
 	const double wanted = n * portable::log(1 / shareToAdd) / exponentAtGoal(t);
 	if (wanted >= nearEnough * n) return 0;
 	if (missed_ > 0 && n <= nearCounts * double(missed_)) return 0;
-	return clamped(std::max({wanted, n / largestShrink, std::sqrt(n * double(missed_))}));
+	return clamped(std::max({wanted, n / (t.addedNum > 0 ? shrinkAfterAdded : largestShrink),
+							 std::sqrt(n * double(missed_))}));
 }
 
 /// The next count after a count that missed the bound. It grows so much that triangles elsewhere
@@ -93,12 +94,12 @@ std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 	const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
 	if (met_.vertexNum > 0) return between(t, bySpots);
 	// The last trial must meet the bound, even with too many vertices.
-	const double byError = left_ == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
+	const double atLast  = left_ == 1 ? growthAtLast * t.growth : 0;
 	const bool   isFirst = left_ == goal_.maxTrials - 1;
 	const double most    = t.share > shareOfFarOff ? growthFromFarOff
 						   : isFirst               ? growthAfterForecast
 												   : largestGrowth;
-	return clamped(std::min(std::max(bySpots, byError), most) * n);
+	return clamped(std::min(std::max(bySpots, atLast), most) * n);
 }
 
 /// The next count between two trials: the count for smaller triangles at the places that miss the
