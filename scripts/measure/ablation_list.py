@@ -29,7 +29,7 @@ ABLATIONS = [
     ("fit", "second half of the input's vertices in rough rounds", "optimization/terms.cpp",
      "constexpr int manyVertices = 4;", "constexpr int manyVertices = 1 << 30;"),
     ("largest distances", "one corner alone", "optimization/worst_distances.cpp",
-     "if (tryMoves(f, gap, {c[k]})) return true;", ""),
+     "if (tryMoves(f, gap, {c[k]}, isCloser)) return true;", ""),
     ("largest distances", "turn of a face", _ACCEPTANCE, "{Driver::WorstDistances, {0.5f,",
      "{Driver::WorstDistances, {-2,  "),
     ("count", "turn of a face", _ACCEPTANCE, "{Driver::Count,          {0.1f,", "{Driver::Count,          {-2,  "),
