@@ -157,6 +157,7 @@ HOW_TO_READ = """\
 | meshes that are larger than the memory | [Large meshes](measurements_tiles.md) |
 | tetrahedra and the Poisson problem on the results | [Simulation](measurements_simulation.md) |
 | the gain of each mechanism of the engine | [Mechanisms](measurements_ablation.md) |
+| counts, sizes in mesh units and largest errors against their goals | [Counts and sizes](measurements_sizes.md) |
 | geodesic distances of the sampling | [Accuracy of distances](accuracy_of_distances.md) |
 | faulty input, cancelling, other systems | [Robustness](robustness.md) |
 """
