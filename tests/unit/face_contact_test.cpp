@@ -215,6 +215,24 @@ TEST(TouchingPairs, AreNoneAlongCutsButWhereBordersRunThroughFaces)
 		<< "a vertex on an edge of the other touches it";
 }
 
+/// Thousands of faces at one place have millions of pairs; some hundreds for each face suffice.
+TEST(TouchingPairs, AreSomeHundredsForEachFaceAtMost)
+{
+	Workers       workers(2, nullptr);
+	constexpr int num = 3000;
+	TriangleMesh  mesh;
+	for (int i = 0; i < 3 * num; ++i)
+		mesh.positions.push_back({double(i % 3 == 1), double(i % 3 == 2), 0});
+	for (int i = 0; i < 3 * num; ++i)
+		mesh.triangles.push_back(i);
+	const std::vector<FacePair> pairs = findTouchingPairs(halfEdgesOf(mesh), workers, Seams::Apart);
+	EXPECT_GE(pairs.size(), std::size_t(num));
+	EXPECT_LE(pairs.size(), std::size_t(300 * num));
+	EXPECT_EQ(facesOf(pairs).size(), std::size_t(num));
+	Workers one(1, nullptr);
+	EXPECT_EQ(pairs, findTouchingPairs(halfEdgesOf(mesh), one, Seams::Apart));
+}
+
 /// Few or many vertices move, edges are flipped, a vertex comes in, faces die: the updated contacts
 /// are the contacts of a fresh search.
 TEST(KnownContacts, AreThoseOfASearchFromNothing)

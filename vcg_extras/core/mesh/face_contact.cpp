@@ -9,7 +9,6 @@
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/orientation.h>
-#include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -327,11 +326,17 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers,
 
 std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 {
-	std::vector<int> faces;
-	faces.reserve(2 * pairs.size());
+	// Marks, since a sort of millions of pairs would take longer than their search.
+	int last = -1;
 	for (const FacePair& pair : pairs)
-		faces.insert(faces.end(), {pair.first, pair.second});
-	sortUnique(faces);
+		last = std::max(last, pair.second);
+	std::vector<char> isMarked(std::size_t(last + 1), 0);
+	for (const FacePair& pair : pairs)
+		isMarked[std::size_t(pair.first)] = isMarked[std::size_t(pair.second)] = 1;
+	std::vector<int> faces;
+	for (int f = 0; f <= last; ++f) {
+		if (isMarked[std::size_t(f)]) faces.push_back(f);
+	}
 	return faces;
 }
 

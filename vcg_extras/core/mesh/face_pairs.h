@@ -25,7 +25,9 @@ public:
 	}
 
 	/// Collects the values that compare(f, g, out) appends for every pair with a wanted face, once
-	/// a pair. The order does not depend on the threads. Cost: O(F log F), parallel.
+	/// a pair. The order does not depend on the threads. A group of faces ends its search after
+	/// mostOfGroup values, because thousands of faces at one place have millions of pairs: the list
+	/// then lacks pairs, but is not empty. Cost: O(F log F), parallel.
 	template <class Value, class Compare>
 	std::vector<Value> collect(Workers& workers, const Compare& compare) const
 	{
@@ -46,6 +48,8 @@ private:
 	static constexpr int fanOut     = FaceBoxes::fanOut;
 	static constexpr int groupLevel = 2; ///< the level of nodes that are groups
 	static constexpr int groupSize  = fanOut * fanOut;
+	/// Some hundreds for each face; a group with a face that crosses thousands of faces comes near.
+	static constexpr std::size_t mostOfGroup = 256 * groupSize;
 
 	/// The sides of a group's boxes in separate arrays, as compilers can compare several floats at
 	/// once.
@@ -98,7 +102,8 @@ private:
 		const int         top = boxes_.levelNum() - 1;
 		for (int k = 0; k < int(boxes_.level(top).size()); ++k)
 			stack.push_back({top, k});
-		while (!stack.empty()) {
+		const std::size_t most = out.size() + mostOfGroup;
+		while (!stack.empty() && out.size() < most) {
 			const Node n = stack.back();
 			stack.pop_back();
 			// With wanted faces, an unwanted group does not search: the wanted group finds it even
@@ -113,6 +118,7 @@ private:
 			for (int k = n.index * fanOut; k < end; ++k)
 				stack.push_back({n.level - 1, k});
 		}
+		stack.clear();
 	}
 
 	static int lastGroupBelow(const Node& n)
