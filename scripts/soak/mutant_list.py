@@ -85,7 +85,7 @@ MUTANTS = [
     ("far points: splits must settle", "optimization/local_refinement.cpp",
      "return squaredLength(at - point.position) <= wanted * wanted;", "return true;"),
     ("far points: gain", "optimization/worst_distances.cpp",
-     "return squaredLength(p - now) <= minGain * minGain * gap.squared;", "return true;"),
+     "return gapFrom(face).squared <= minGain * minGain * gap.squared;", "return true;"),
     ("audit: area", "output/audit.cpp", "if (hasZeroArea(m.faceCross(f)))", "if (false)"),
     # ---- sampling
     ("eq2 edges covered since", "sampling/border_edge_sampling.cpp",

@@ -147,37 +147,37 @@ private:
 	/// Draws the result to a far point of the surface. False if the point stays farther than near.
 	bool drawToSurfacePoint(const Vec3f& p, int f)
 	{
-		for (int move = 0; move <= maxMoves; ++move) {
-			const SurfacePoint at = nearestAround(p, f);
-			const Gap          gap{squaredLength(p - at.position), p - at.position, at.position};
-			if (gap.squared <= near_ * near_) return true;
-			f                   = at.face;
-			const auto isCloser = [&] {
-				const Vec3f now = nearestAround(p, f).position;
-				return squaredLength(p - now) <= minGain * minGain * gap.squared;
-			};
-			if (move == maxMoves || !moveSome(f, gap, isCloser)) return false;
-		}
-		return false;
+		return drawTo(f, [&](int& face) -> Gap {
+			const SurfacePoint at = nearestAround(p, face);
+			face                  = at.face;
+			return {squaredLength(p - at.position), p - at.position, at.position};
+		});
 	}
 
 	/// Draws a far point of the result to the surface. False if the point stays farther than near.
 	bool drawToSurface(const Vec3f& p, int f)
 	{
 		const std::array<float, 3> weight = weightsAt(p, corner(f, 0), corner(f, 1), corner(f, 2));
-		const auto                 place  = [&] {
-            return corner(f, 0) * weight[0] + corner(f, 1) * weight[1] + corner(f, 2) * weight[2];
-		};
-		const auto wayFrom = [&](const Vec3f& at) {
-			int seed = point_[m_.origin[3 * f]].face;
-			return nearestOnTheWay(s_, at, 0, seed) - at;
-		};
+		return drawTo(f, [&](int& face) -> Gap {
+			const Vec3f at = corner(face, 0) * weight[0] + corner(face, 1) * weight[1] +
+							 corner(face, 2) * weight[2];
+			int         seed = point_[m_.origin[3 * face]].face;
+			const Vec3f way  = nearestOnTheWay(s_, at, 0, seed) - at;
+			return {squaredLength(way), way, at};
+		});
+	}
+
+	/// Moves corners of a face until a gap is near. gapFrom(f): the gap now, for a point whose
+	/// nearest face was f; sets f to the face of the gap.
+	template <class GapFrom>
+	bool drawTo(int f, const GapFrom& gapFrom)
+	{
 		for (int move = 0; move <= maxMoves; ++move) {
-			const Vec3f at = place(), way = wayFrom(at);
-			const Gap   gap{squaredLength(way), way, at};
+			const Gap gap = gapFrom(f);
 			if (gap.squared <= near_ * near_) return true;
 			const auto isCloser = [&] {
-				return squaredLength(wayFrom(place())) <= minGain * minGain * gap.squared;
+				int face = f;
+				return gapFrom(face).squared <= minGain * minGain * gap.squared;
 			};
 			if (move == maxMoves || !moveSome(f, gap, isCloser)) return false;
 		}
