@@ -85,7 +85,9 @@ MUTANTS = [
     ("far points: splits must settle", "optimization/local_refinement.cpp",
      "return squaredLength(at - point.position) <= wanted * wanted;", "return true;"),
     ("far points: gain", "optimization/worst_distances.cpp",
-     "return gapFrom(face).squared <= minGain * minGain * gap.squared;", "return true;"),
+     "return gapFrom(face).squared <= minGain * minGain * gap.squared;", "return true;",
+     "a move along the gap brings the point closer but for the faces round it, whose distances are tested too; the "
+     "number of moves is bounded"),
     ("audit: area", "output/audit.cpp", "if (hasZeroArea(m.faceCross(f)))", "if (false)"),
     # ---- sampling
     ("eq2 edges covered since", "sampling/border_edge_sampling.cpp",
