@@ -22,7 +22,7 @@ constexpr OldParameter kOldParameters[] = {
 	{"Smoothing", 0, "the preset paper smooths by the umbrella operator"},
 	{"Equations", 0, "the preset paper takes the equations as they are printed"},
 	{"Regularity", 0, "the preset fast leaves the steps for regularity out"},
-	{"Fit", 0, "the preset fast leaves every vertex on the surface"},
+	{"Fit", 0, "the preset paper leaves every vertex on the surface"},
 	{"ExactCount", 0, "the number of vertices is exact but with the preset paper"},
 	{"FeatureSampling", 0,
 	 "the preset paper without a feature disk scale keeps each vertex of the feature region"},

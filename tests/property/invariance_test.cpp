@@ -124,7 +124,7 @@ TEST(Precision, FarAwayNothingIsLost)
 	const Vec3d        offset(455123.25, 4978321.5, 812.75);
 	const TriangleMesh sphere = shifted(icosphere(4, 50), offset);
 	RemeshOptions      options;
-	options.preset       = Preset::Fast;
+	options.preset       = Preset::Paper;
 	const RemeshResult r = remesh(sphere.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	for (const Vec3d& p : r.mesh.positions) {

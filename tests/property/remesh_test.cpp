@@ -100,7 +100,7 @@ TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsSurfacePointSays)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
 	RemeshOptions       options = percentOptions(10);
-	options.preset              = Preset::Fast;
+	options.preset              = Preset::Paper;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	ASSERT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
@@ -124,8 +124,10 @@ TEST_P(Remesh, FitsToTheInputAndSaysHowFarItWent)
 	const TriangleMesh& mesh    = GetParam().mesh;
 	RemeshOptions       options = percentOptions(20);
 	options.preset              = Preset::Fast;
+	options.fit                 = false;
 	const RemeshResult unfitted = remesh(mesh.view(), options);
 	options.preset              = Preset::Default;
+	options.fit                 = true;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_LE(farthestFromSurface(r, mesh), r.report.largestFitDistance + 2e-5);
@@ -579,7 +581,7 @@ double farthestOffBorder(const TriangleMesh& input, const TriangleMesh& result)
 }
 
 /// guarantees.md: vertices of borders leave these by at most 8 % of the wanted edge, and not at all
-/// without the fit.
+/// with the preset paper.
 TEST(Border, ItsVerticesLeaveItByNoMoreThanIsPromised)
 {
 	const TriangleMesh tube    = openCylinder(120, 120, 0.5, 1.5);
@@ -591,7 +593,7 @@ TEST(Border, ItsVerticesLeaveItByNoMoreThanIsPromised)
 	const double moved = farthestOffBorder(tube, fitted.mesh);
 	EXPECT_LT(moved, 0.08 * edge);
 	EXPECT_GT(moved, 0.001 * edge) << "the fit takes them to where the chords are nearest";
-	options.preset              = Preset::Fast;
+	options.preset              = Preset::Paper;
 	const RemeshResult unfitted = remesh(tube.view(), options);
 	ASSERT_EQ(unfitted.status, Status::Ok) << unfitted.message;
 	EXPECT_LT(farthestOffBorder(tube, unfitted.mesh), 1e-6);

@@ -161,7 +161,7 @@ TEST(Seams, SurfacePointsNameFacesOfTheMeshAsGiven)
 	const TriangleMesh whole   = torus(40, 24);
 	const TriangleMesh cut     = cutApart(whole, randomParts(whole, 30, random));
 	RemeshOptions      options = countOptions(500);
-	options.preset             = Preset::Fast;
+	options.preset             = Preset::Paper;
 	const RemeshResult r       = remesh(cut.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	ASSERT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());

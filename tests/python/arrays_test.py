@@ -60,7 +60,7 @@ def test_arrays_in_order_are_not_copied():
 
 def test_points_lie_where_the_result_says():
     vertices, faces = torus()
-    result = gpremesh.remesh(vertices, faces, vertex_count=300, preset="fast")
+    result = gpremesh.remesh(vertices, faces, vertex_count=300, preset="paper")
     points = (vertices[result.corner_index] * result.barycentric[:, :, None]).sum(axis=1)
     assert np.abs(points - result.vertices).max() < 1e-5
     assert np.array_equal(result.corner_index, faces[result.face_index])

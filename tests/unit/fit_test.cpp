@@ -294,14 +294,30 @@ TEST(Fit, MovesAnInscribedMeshOutByAnEighthOfItsSquaredEdge)
 	EXPECT_LT(laid.rms(), rmsBefore / 2);
 }
 
+/// On a sphere a ring lies h²/2R below its vertex, of which a third is h²/6R.
+TEST(Fit, WithoutRoundsRaisesVerticesByAThirdOfTheirHeightOverTheRing)
+{
+	Laid         laid(icosphere(6), icosphere(3));
+	const double edge      = double(laid.meanEdge() / laid.surface.frame.scale);
+	const double rmsBefore = laid.rms();
+	EXPECT_EQ(laid.fit(32, 0).map, nullptr);
+	double mean = 0;
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
+		mean += length(laid.at(v)) / laid.result.mesh.vertexNum;
+	EXPECT_NEAR((mean - 1) / (edge * edge / 6), 1, 0.1);
+	EXPECT_LT(laid.rms(), 0.6 * rmsBefore);
+}
+
 TEST(Fit, StaysInAPlane)
 {
-	Random random(5);
-	Laid   laid(grid(60, 60), jitteredGrid(12, 0.3, random));
-	laid.fit();
-	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
-		EXPECT_NEAR(laid.at(v).z, 0, 1e-6) << v;
-	EXPECT_TRUE(isSoundSurface(meshOf(laid.result.mesh)));
+	for (const int rounds : {0, 4}) {
+		Random random(5);
+		Laid   laid(grid(60, 60), jitteredGrid(12, 0.3, random));
+		laid.fit(32, rounds);
+		for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
+			EXPECT_NEAR(laid.at(v).z, 0, 1e-6) << v;
+		EXPECT_TRUE(isSoundSurface(meshOf(laid.result.mesh)));
+	}
 }
 
 /// A trough upside down under a flat sheet, with a gap smaller than the move of the fit.
@@ -319,11 +335,13 @@ TEST(Fit, DoesNotCrossAnotherSheet)
 		highest = std::max(highest, alone.at(v).z);
 	ASSERT_GT(highest, 1.2 * gap);
 
-	Laid both(joined(fine, lid), joined(coarse, above));
-	ASSERT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
-	both.fit(0);
-	EXPECT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
-	EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
+	for (const int rounds : {0, 4}) {
+		Laid both(joined(fine, lid), joined(coarse, above));
+		ASSERT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
+		both.fit(0, rounds);
+		EXPECT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
+		EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
+	}
 }
 
 TEST(Fit, LowersNoAngleBelowTheBound)
@@ -388,18 +406,20 @@ TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
 
 TEST(Fit, LeavesSurfacePointsOnTheSurfaceBelowTheVertices)
 {
-	Laid laid(torus(160, 80), torus(32, 16));
-	laid.fit();
-	const float farthest = farthestFromSurface(laid.result);
-	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
-		const SurfacePoint& a = laid.result.vertex[v].point;
-		const HalfEdgeMesh& s = laid.surface.mesh;
-		const auto corner     = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
-		EXPECT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
+	for (const int rounds : {0, 4}) {
+		Laid laid(torus(160, 80), torus(32, 16));
+		laid.fit(32, rounds);
+		const float         farthest = farthestFromSurface(laid.result);
+		const HalfEdgeMesh& s        = laid.surface.mesh;
+		for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
+			const SurfacePoint& a = laid.result.vertex[v].point;
+			const auto corner = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
+			EXPECT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
+		}
+		// About h²/8R over the tube.
+		EXPECT_LT(double(farthest) / laid.surface.frame.scale, 0.05);
+		EXPECT_GT(farthest, 0);
 	}
-	// About h²/8R over the tube.
-	EXPECT_LT(double(farthest) / laid.surface.frame.scale, 0.05);
-	EXPECT_GT(farthest, 0);
 }
 
 // ---- the largest distances

@@ -35,8 +35,8 @@ enum class Detail {
 /// A choice of methods for all stages.
 enum class Preset {
 	Default, ///< this project's methods: the most regular triangles, fitted to the input
-	Fast,    ///< as Default, without the fit and the passes that cost most
-	Paper,   ///< the methods of the paper, stage by stage: docs/paper.md
+	Fast,  ///< as Default, with one step in place of the fit, and without the passes that cost most
+	Paper, ///< the methods of the paper, stage by stage: docs/paper.md
 	/// Fast, with two rounds of the fit, for a result that another run remeshes. No host offers
 	/// this preset.
 	FastFitted,
@@ -169,8 +169,7 @@ inline bool keepsJunctions(const RemeshOptions& options)
 /// Whether vertices leave the surface so that the triangles lie closer to the surface (fit.h).
 inline bool isFitted(const RemeshOptions& options)
 {
-	return options.fit &&
-		   (options.preset == Preset::Default || options.preset == Preset::FastFitted);
+	return options.fit && !isPaper(options);
 }
 
 /// Whether the options ask for a feature region, by its name or by its disk scale.

@@ -38,7 +38,8 @@ Rate rateOf(Tool tool, const RemeshOptions& o)
 	if (tool == SamplingTool) return samplingRate;
 	if (tool == FeatureTool) return detectionRate;
 	if (isPaper(o)) return removalRate;
-	return tool == RetriangulateTool || !isFitted(o) ? plainRate : fittedRate;
+	const bool isPlain = tool == RetriangulateTool || !isFitted(o) || o.preset == Preset::Fast;
+	return isPlain ? plainRate : fittedRate;
 }
 
 double shareOfSelected(const MeshView& input, const RemeshOptions& o)

@@ -63,6 +63,19 @@ Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density
 	return weight > 0 ? sum * (1 / weight) : Vec3f();
 }
 
+Vec3f heightOverRing(const HalfEdgeMesh& m, int v)
+{
+	Vec3f sum, normal;
+	int   n = 0;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+		sum += a;
+		normal += cross(a, b);
+		++n;
+	});
+	normal = normalized(normal);
+	return normal * (dot(sum, normal) * (-1 / float(n)));
+}
+
 Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<Umbrella> umbrella(m.vertexNum);

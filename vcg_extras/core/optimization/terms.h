@@ -15,12 +15,16 @@
 
 namespace gpr {
 
-/// The four terms that move vertices. A term gives the wanted move of a vertex while all other
+/// The terms that move vertices. A term gives the wanted move of a vertex while all other
 /// vertices stay. Terms know no constraints and no limits.
 
 /// Barycentric: the way from v to the barycentre of its ring, weighted by area, and by the density
 /// at the vertices if given.
 Vec3f wayToBarycentre(const HalfEdgeMesh& mesh, int v, const Buffer<float>& density = {});
+
+/// Height: the way from the mean of the neighbours to v, along the normal of the ring. On a sphere
+/// of radius R the height is h²/2R for the edge length h. Needs a vertex inside the mesh.
+Vec3f heightOverRing(const HalfEdgeMesh& mesh, int v);
 
 /// Umbrella: U² / ν at every vertex, by the second-order umbrella operator of Kobbelt, Campagna,
 /// Vorsatz and Seidel (1998); the wanted move is the negative,

@@ -180,11 +180,12 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
 {
-	const bool  isQuick = options.preset == Preset::FastFitted;
 	FitSettings settings;
-	settings.rounds = isQuick ? quickFitRounds : options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
 	settings.minAngleDeg = minAngleDeg(options);
 	settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : 1;
+	settings.rounds      = options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
+	if (options.preset == Preset::FastFitted) settings.rounds = quickFitRounds;
+	if (options.preset == Preset::Fast) settings.rounds = 0;
 	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, *options.adapt));
 	return settings;
 }

@@ -126,9 +126,9 @@ def remesh(
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
         lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
-        the paper; the number of vertices is right to a tenth only. A sampling is the same with
-        default and fast.
+        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
+        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
@@ -350,9 +350,9 @@ def remesh_together(
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
         lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
-        the paper; the number of vertices is right to a tenth only. A sampling is the same with
-        default and fast.
+        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
+        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
@@ -543,9 +543,9 @@ def sample(
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
         lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
-        the paper; the number of vertices is right to a tenth only. A sampling is the same with
-        default and fast.
+        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
+        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes

@@ -76,11 +76,9 @@ std::vector<std::string> convert(const Conversion& job)
 		return convertOff(job);
 	case MeshFormat::Stl:
 		return convertBinaryStl(job);
-	case MeshFormat::Ply:
-	case MeshFormat::Glb:
-		break;
+	default:
+		return convertTextPly(job);
 	}
-	return convertTextPly(job);
 }
 
 /// Converts, and names the input in sentences about the input.
@@ -126,10 +124,9 @@ TileInput tileInputOf(const std::string& path)
 		return TileInput::Converted;
 	case MeshFormat::Stl:
 		return isBinaryStlFile(path) ? TileInput::Converted : TileInput::NotAtAll;
-	case MeshFormat::Glb:
-		break;
+	default:
+		return TileInput::NotAtAll;
 	}
-	return TileInput::NotAtAll;
 }
 
 MeshSize estimatedSize(const std::string& path)
