@@ -80,6 +80,16 @@ TEST_P(WorkersOf, CollectKeepsTheOrder)
 		ASSERT_EQ(even[i], int(2 * i));
 }
 
+/// Few items may be expensive, as the disks of the sizes are.
+TEST_P(WorkersOf, CollectCutsFewItemsIntoSmallPiecesOrPiecesAsAsked)
+{
+	const auto lengths = [](std::size_t b, std::size_t e, auto& out) { out.push_back(int(e - b)); };
+	const std::vector<int> own = workers.collect<int>(1500, lengths);
+	EXPECT_GE(own.size(), 60u);
+	EXPECT_EQ(std::accumulate(own.begin(), own.end(), 0), 1500);
+	EXPECT_EQ(workers.collect<int>(1500, lengths, 1000), (std::vector<int>{1000, 500}));
+}
+
 TEST_P(WorkersOf, CollectManyJoinsAsCollectDoes)
 {
 	const auto thirds = [](std::size_t b, std::size_t e, auto& out) {

@@ -37,7 +37,7 @@ public:
 
 	int threadNum() const;
 
-	/// Number of items in a piece for sums and collections, independent of the number of threads.
+	/// Number of items in a piece for sums, independent of the number of threads.
 	static constexpr std::size_t pieceSize = 4096;
 
 	/// Calls body(begin, end) for pieces of [0, n), in any order, in parallel.
@@ -96,12 +96,14 @@ public:
 		});
 	}
 
-	/// The values that body(begin, end, out) appends for pieces of fixed size, joined in order.
+	/// The values that body(begin, end, out) appends for pieces of [0, n), joined in order. grain:
+	/// the number of items in a piece; 0: small enough for an even share of work. Pieces do not
+	/// depend on the number of threads.
 	template <class Value, class Body>
-	std::vector<Value> collect(std::size_t n, const Body& body)
+	std::vector<Value> collect(std::size_t n, const Body& body, std::size_t grain = 0)
 	{
 		std::vector<Value> all;
-		for (const std::vector<Value>& p : collectParts<Value>(n, body))
+		for (const std::vector<Value>& p : collectParts<Value>(n, body, grain))
 			all.insert(all.end(), p.begin(), p.end());
 		return all;
 	}
@@ -129,7 +131,7 @@ public:
 	template <class Value, class Body>
 	Buffer<Value> collectMany(std::size_t n, const Body& body)
 	{
-		const std::vector<std::vector<Value>> part = collectParts<Value>(n, body);
+		const std::vector<std::vector<Value>> part = collectParts<Value>(n, body, 0);
 		std::vector<std::size_t>              start(part.size() + 1, 0);
 		for (std::size_t i = 0; i < part.size(); ++i)
 			start[i + 1] = start[i] + part[i].size();
@@ -157,9 +159,9 @@ private:
 	using Task = void (*)(void* body, std::size_t task, int worker);
 
 	template <class Value, class Body>
-	std::vector<std::vector<Value>> collectParts(std::size_t n, const Body& body)
+	std::vector<std::vector<Value>> collectParts(std::size_t n, const Body& body, std::size_t grain)
 	{
-		const std::size_t               grain    = pieceSize;
+		if (grain == 0) grain = std::min(pieceSize, grainFor(n));
 		const std::size_t               pieceNum = (n + grain - 1) / grain;
 		std::vector<std::vector<Value>> part(pieceNum);
 		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {

@@ -290,14 +290,12 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers)
 {
-	constexpr std::size_t together = FaceExtents::facesTogether;
-	const EdgeRule        rule{maxLength * maxLength, mesh.size};
-	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-		for (std::size_t f = begin; f < end; f += together) {
-			if (!rule.isLong(extents.longestSquared[f / together], 1)) continue;
-			for (int k = int(f); k < int(std::min(f + together, end)); ++k)
-				if (rule.isLongFace(mesh, k)) out.push_back(k);
-		}
+	constexpr int  together = FaceExtents::facesTogether;
+	const EdgeRule rule{maxLength * maxLength, mesh.size};
+	return workers.collectEach<int>(extents.longestSquared.size(), [&](int group, auto& out) {
+		if (!rule.isLong(extents.longestSquared[group], 1)) return;
+		for (int f = together * group; f < std::min(together * (group + 1), mesh.faceNum); ++f)
+			if (rule.isLongFace(mesh, f)) out.push_back(f);
 	});
 }
 

@@ -467,16 +467,18 @@ private:
 	std::vector<Bent>         bent_;
 	std::vector<int>          lowered_; ///< vertices below the largest size
 
+	/// The centres depend on the pieces, whose size is fixed here.
 	std::vector<Centre> spreadCentres()
 	{
-		const float square = request_.even * request_.even / disksPerSquare;
-		return workers_.collect<Centre>(std::size_t(mesh_.vertexNum),
-										[&](std::size_t begin, std::size_t end, auto& out) {
-											CentreSpreader spreader(ring_, square, out);
-											for (std::size_t v = begin; v < end; ++v)
-												spreader.pass(int(v));
-											spreader.finish();
-										});
+		constexpr std::size_t grain  = 4096;
+		const float           square = request_.even * request_.even / disksPerSquare;
+		const auto            spread = [&](std::size_t begin, std::size_t end, auto& out) {
+            CentreSpreader spreader(ring_, square, out);
+            for (std::size_t v = begin; v < end; ++v)
+                spreader.pass(int(v));
+            spreader.finish();
+		};
+		return workers_.collect<Centre>(std::size_t(mesh_.vertexNum), spread, grain);
 	}
 
 	double area()
