@@ -86,7 +86,7 @@ MUTANTS = [
      "return squaredLength(at - point.position) <= wanted * wanted;", "return true;"),
     ("share by which vertices rise", "optimization/fit.cpp", "constexpr float raisedShare = 1.0f / 3;",
      "constexpr float raisedShare = 0.2f;"),
-    ("raised vertices settle", "optimization/fit.cpp", "return raiseAll(whole) && takeBackOffenders(whole);",
+    ("raised vertices that touch others go back", "optimization/fit.cpp", "return raiseAll(whole) && takeBackOffenders(whole);",
      "return raiseAll(whole);"),
     ("far points: gain", "optimization/worst_distances.cpp",
      "return gapFrom(face).squared <= minGain * minGain * gap.squared;", "return true;",

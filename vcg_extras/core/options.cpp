@@ -134,7 +134,7 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 	if (isPaper(o)) return 0;
 	if (o.adapt) return *o.adapt;
 	const bool hasOther = o.lambda > 0 || o.targetMode == TargetMode::Sizes;
-	const bool hasUse   = makesMesh && isFitted(o) && o.preset != Preset::Fast && !hasOther;
+	const bool hasUse   = makesMesh && isFittedInRounds(o) && !hasOther;
 	if (!hasUse) return 0;
 	return o.targetMode == TargetMode::MaxError ? 1 : usual;
 }

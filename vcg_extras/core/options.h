@@ -172,6 +172,12 @@ inline bool isFitted(const RemeshOptions& options)
 	return options.fit && !isPaper(options);
 }
 
+/// Whether the fit has rounds, which cost most of a run; the fit of Preset::Fast has a single step.
+inline bool isFittedInRounds(const RemeshOptions& options)
+{
+	return isFitted(options) && options.preset != Preset::Fast;
+}
+
 /// Whether the options ask for a feature region, by its name or by its disk scale.
 bool asksForFeatureRegion(const RemeshOptions& options);
 

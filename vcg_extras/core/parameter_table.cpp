@@ -205,9 +205,10 @@ void addPreset(Table& t)
 		row(sampled, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
 			"The methods of a run. default: the most regular triangles, close to the input. The "
 			"fit moves vertices a little off the surface to reduce the distance; vertices of "
-			"borders and feature lines leave their curves by at most 8 % of an edge. fast: a "
-			"third of the time, without the steps for regularity; one step raises each vertex "
-			"over its neighbours in place of the fit. paper: each stage as in the paper; every "
+			"borders and feature lines leave their curves by at most 8 % of an edge. fast: "
+			"less than half the time, without the steps for regularity; one step raises each "
+			"vertex over its neighbours in place of the fit. paper: each stage as in the paper; "
+			"every "
 			"vertex stays on the surface, and the number of vertices is right to a tenth only. "
 			"A sampling is the same with default and fast.")
 			.choices({"default", "fast", "paper"})

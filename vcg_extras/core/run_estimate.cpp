@@ -38,8 +38,7 @@ Rate rateOf(Tool tool, const RemeshOptions& o)
 	if (tool == SamplingTool) return samplingRate;
 	if (tool == FeatureTool) return detectionRate;
 	if (isPaper(o)) return removalRate;
-	const bool isPlain = tool == RetriangulateTool || !isFitted(o) || o.preset == Preset::Fast;
-	return isPlain ? plainRate : fittedRate;
+	return tool == RetriangulateTool || !isFittedInRounds(o) ? plainRate : fittedRate;
 }
 
 double shareOfSelected(const MeshView& input, const RemeshOptions& o)

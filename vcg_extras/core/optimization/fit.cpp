@@ -38,7 +38,7 @@ constexpr float farthestMove = 0.3f;
 /// Squared edge of an equilateral triangle over its area.
 constexpr float squaredEdgePerArea = 2.3094011f;
 
-/// Without rounds: the share of its height over the ring by which a vertex is raised. Triangles
+/// Without rounds, a vertex rises by this share of the height over its ring. Triangles
 /// with corners on a sphere lie h²/8R below the sphere in the mean, which is a quarter of the
 /// height. A third is better where the surface has details finer than the triangles (seven models).
 constexpr float raisedShare = 1.0f / 3;

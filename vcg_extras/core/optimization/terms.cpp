@@ -65,15 +65,10 @@ Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density
 
 Vec3f heightOverRing(const HalfEdgeMesh& m, int v)
 {
-	Vec3f sum, normal;
-	int   n = 0;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-		sum += a;
-		normal += cross(a, b);
-		++n;
-	});
+	Vec3f normal;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { normal += cross(a, b); });
 	normal = normalized(normal);
-	return normal * (dot(sum, normal) * (-1 / float(n)));
+	return normal * -dot(umbrellaAt(m, v).vector, normal);
 }
 
 Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& m, Workers& workers)

@@ -50,6 +50,13 @@ constexpr float maxReleasedGap = 0.3f;
 constexpr double mostFarther = 1.02;
 constexpr double nearMean = 0.015, nearMost = 0.3;
 
+int roundsOfFit(const RemeshOptions& options)
+{
+	if (!isFittedInRounds(options)) return 0;
+	if (options.preset == Preset::FastFitted) return quickFitRounds;
+	return options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
+}
+
 float minAngleDeg(const RemeshOptions& options)
 {
 	return poorAngleDeg + float(*options.adapt) * (adaptedAngleDeg - poorAngleDeg);
@@ -183,9 +190,7 @@ FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
 	FitSettings settings;
 	settings.minAngleDeg = minAngleDeg(options);
 	settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : 1;
-	settings.rounds      = options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
-	if (options.preset == Preset::FastFitted) settings.rounds = quickFitRounds;
-	if (options.preset == Preset::Fast) settings.rounds = 0;
+	settings.rounds      = roundsOfFit(options);
 	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, *options.adapt));
 	return settings;
 }

@@ -125,9 +125,9 @@ def remesh(
     preset : {'default', 'fast', 'paper'}, default 'default'
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
-        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
-        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
+        the steps for regularity; one step raises each vertex over its neighbours in place of the
+        fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
         vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
@@ -349,9 +349,9 @@ def remesh_together(
     preset : {'default', 'fast', 'paper'}, default 'default'
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
-        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
-        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
+        the steps for regularity; one step raises each vertex over its neighbours in place of the
+        fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
         vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
@@ -542,9 +542,9 @@ def sample(
     preset : {'default', 'fast', 'paper'}, default 'default'
         The methods of a run. default: the most regular triangles, close to the input. The fit moves
         vertices a little off the surface to reduce the distance; vertices of borders and feature
-        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
-        steps for regularity; one step raises each vertex over its neighbours in place of the fit.
-        paper: each stage as in the paper; every vertex stays on the surface, and the number of
+        lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
+        the steps for regularity; one step raises each vertex over its neighbours in place of the
+        fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
         vertices is right to a tenth only. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
