@@ -106,6 +106,16 @@ inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
 struct BarycentricPoint {
 	std::int32_t face      = -1;
 	float        weight[3] = {1, 0, 0};
+
+	static BarycentricPoint ofCorner(std::size_t face, std::size_t corner)
+	{
+		return {std::int32_t(face), {float(corner == 0), float(corner == 1), float(corner == 2)}};
+	}
+	static BarycentricPoint ofMiddle(std::size_t face)
+	{
+		constexpr float third = 1 / 3.0f;
+		return {std::int32_t(face), {third, third, third}};
+	}
 };
 
 /// A triangle mesh that owns its arrays, in the frame of the input.
@@ -116,6 +126,24 @@ struct TriangleMesh {
 	std::size_t vertexNum() const { return positions.size(); }
 	std::size_t faceNum() const { return triangles.size() / 3; }
 	MeshView    view() const { return MeshView(positions, triangles); }
+};
+
+/// A mesh with marks as in MeshView; empty: no such marks.
+struct MarkedMesh : TriangleMesh {
+	std::vector<std::uint8_t> selected;   ///< per vertex
+	std::vector<float>        wantedEdge; ///< per vertex
+	std::vector<std::uint8_t> line;       ///< three a face
+	std::vector<std::int32_t> region;     ///< per face
+
+	MeshView view() const
+	{
+		MeshView v   = TriangleMesh::view();
+		v.selected   = selected.empty() ? nullptr : selected.data();
+		v.wantedEdge = wantedEdge.empty() ? nullptr : wantedEdge.data();
+		v.line       = line.empty() ? nullptr : line.data();
+		v.region     = region.empty() ? nullptr : region.data();
+		return v;
+	}
 };
 
 } // namespace gpr

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <unordered_map>
 
 namespace gpr {
 
@@ -24,23 +23,6 @@ void refuseHugeInput(const MeshView& input)
 	if (input.faceNum > maxFaces || input.vertexNum > maxFaces) {
 		throw Failure(Status::UnusableInput,
 					  "The mesh has more than 536,870,912 faces or vertices.");
-	}
-}
-
-void checkIndices(const MeshView& input, Workers& workers)
-{
-	std::atomic<bool> bad{false};
-	const auto        vertexNum = std::uint32_t(input.vertexNum);
-	workers.forRange(input.faceNum, [&](std::size_t begin, std::size_t end) {
-		bool outside = false;
-		for (std::size_t f = begin; f < end; ++f) {
-			for (std::int32_t v : input.triangle(f))
-				outside |= std::uint32_t(v) >= vertexNum;
-		}
-		if (outside) bad = true;
-	});
-	if (bad) {
-		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
 	}
 }
 
@@ -158,54 +140,43 @@ bool isSoup(const IndexedMesh& mesh)
 	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
 }
 
-/// For every vertex the first vertex within the tolerance, by a hash grid with cells as wide as the
-/// tolerance.
-std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers& workers)
-{
-	Poller     poller(workers);
-	const auto cellOf = [tolerance](float c) { return std::int64_t(std::floor(c / tolerance)); };
-	const auto keyOf  = [](std::int64_t x, std::int64_t y, std::int64_t z) {
-        return std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
-               std::uint64_t(z) * 0x165667b19e3779f9ull;
-	};
-	std::unordered_multimap<std::uint64_t, int> firsts;
-	std::vector<int>                            first(mesh.vertexNum);
-	for (int v = 0; v < mesh.vertexNum; ++v) {
-		poller.count();
-		const Vec3f        p = mesh.position[v];
-		const std::int64_t x = cellOf(p.x), y = cellOf(p.y), z = cellOf(p.z);
-		first[v] = v;
-		for (int i = 0; i < 27; ++i) {
-			const auto cell =
-				firsts.equal_range(keyOf(x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1));
-			for (auto it = cell.first; it != cell.second; ++it) {
-				const bool near =
-					squaredLength(mesh.position[it->second] - p) <= tolerance * tolerance;
-				if (near) first[v] = std::min(first[v], it->second);
-			}
-		}
-		if (first[v] == v) firsts.emplace(keyOf(x, y, z), v);
-	}
-	return first;
-}
-
 /// Joins vertices at (nearly) equal positions; drops faces that lose a corner.
 void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
-	const std::vector<int> first = findFirstNear(mesh, samePlace, workers);
-	counts.weldedVertices += workers.sumEach<std::int64_t>(
-		first.size(), [&](int v, std::int64_t& n) { n += first[std::size_t(v)] != v; });
+	Poller           poller(workers);
+	SamePlaceTable   table(std::size_t(mesh.vertexNum));
+	std::vector<int> first;
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		poller.count();
+		first.push_back(table.findOrPut(mesh.position[v], v));
+		counts.weldedVertices += first.back() != v;
+	}
 	counts.zeroAreaFaces += renameCorners(mesh, first, workers);
 	dropUnusedVertices(mesh, workers);
 }
 
 } // namespace
 
+void requireVertexNumbers(const MeshView& input, Workers& workers)
+{
+	std::atomic<bool> bad{false};
+	const auto        vertexNum = std::uint32_t(input.vertexNum);
+	workers.forRange(input.faceNum, [&](std::size_t begin, std::size_t end) {
+		bool outside = false;
+		for (std::size_t f = begin; f < end; ++f) {
+			for (std::int32_t v : input.triangle(f))
+				outside |= std::uint32_t(v) >= vertexNum;
+		}
+		if (outside) bad = true;
+	});
+	if (bad) throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+}
+
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts)
 {
 	refuseHugeInput(input);
 	if (input.faceNum == 0) throw Failure(Status::UnusableInput, "The mesh has no faces.");
-	checkIndices(input, workers);
+	requireVertexNumbers(input, workers);
 
 	IndexedMesh        mesh;
 	const Buffer<char> finite = findFinite(input, workers, counts.nonFiniteVertices);

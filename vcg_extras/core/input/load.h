@@ -18,6 +18,9 @@ namespace gpr {
 /// linear, parallel.
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);
 
+/// Throws Failure{UnusableInput} for a vertex number out of range. Cost: linear, parallel.
+void requireVertexNumbers(const MeshView& input, Workers& workers);
+
 /// Figures over all faces, from a single pass.
 struct FaceExtents {
 	double        area = 0;       ///< sum, working units squared, in double

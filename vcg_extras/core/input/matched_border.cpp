@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "matched_border.h"
 
+#include "load.h"
 #include "periodic_border.h"
 
 #include <vcg_extras/core/base/failure.h>
@@ -148,10 +149,7 @@ private:
 	void findEdges()
 	{
 		std::vector<EdgeSide> sides;
-		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
-			if (std::uint32_t(input_.vertexOf(std::size_t(c))) >= input_.vertexNum)
-				throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
-		}
+		requireVertexNumbers(input_, workers_);
 		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
 			pollNowAndThen(std::size_t(c), workers_);
 			const int a = placeOf(c), b = placeOf(nextCorner(c));
@@ -571,11 +569,8 @@ BarycentricPoint ofCaller(const MatchedBorder& matched, const BarycentricPoint& 
 
 MeshView MatchedBorder::view() const
 {
-	MeshView v(positions, triangles);
+	MeshView v   = MarkedMesh::view();
 	v.keptBorder = isKept.data();
-	v.selected   = selected.empty() ? nullptr : selected.data();
-	v.line       = line.empty() ? nullptr : line.data();
-	v.region     = region.empty() ? nullptr : region.data();
 	return v;
 }
 

@@ -14,20 +14,17 @@ namespace gpr {
 
 /// A mesh with border vertices at the future places of the result's border vertices, and the way
 /// back to the input mesh.
-struct MatchedBorder {
+struct MatchedBorder : MarkedMesh {
 	/// Place of a corner on a face of the input: on the edge from corner `from` to the next corner.
 	struct Corner {
 		std::uint8_t from  = 0;
 		float        share = 0; ///< of the way
 	};
 
-	std::vector<Vec3d>        positions; ///< the vertices of the input mesh first
-	std::vector<std::int32_t> triangles;
+	// The vertices of the input mesh come first.
 	std::vector<std::int32_t> faceOf;   ///< per face: the whole face of the input mesh
 	std::vector<Corner>       cornerAt; ///< three a face
 	std::vector<std::uint8_t> isKept;   ///< per vertex: border vertex of the future result
-	std::vector<std::uint8_t> selected, line;
-	std::vector<std::int32_t> region;
 
 	MeshView view() const;
 };

@@ -392,11 +392,8 @@ FoundPlane findMirrorPlane(const Surface& surface, Symmetry symmetry, double all
 
 MeshView MirrorHalf::view(const MeshView& input, const MirrorPlane& plane) const
 {
-	MeshView v(positions, triangles);
-	v.selected    = selected.empty() ? nullptr : selected.data();
-	v.wantedEdge  = wantedEdge.empty() ? nullptr : wantedEdge.data();
-	v.line        = input.line == nullptr ? nullptr : line.data();
-	v.region      = region.empty() ? nullptr : region.data();
+	MeshView v = MarkedMesh::view();
+	if (input.line == nullptr) v.line = nullptr;
 	v.regionNames = input.regionNames;
 	v.mirrorAxis  = plane.heightAxis();
 	return v;

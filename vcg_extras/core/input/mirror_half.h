@@ -53,17 +53,10 @@ FoundPlane findMirrorPlane(const Surface& surface, Symmetry symmetry, double all
 						   Workers& workers);
 
 /// The part of a surface above a plane. Faces across the plane are cut.
-struct MirrorHalf {
-	std::vector<Vec3d>        positions; ///< in the plane's coordinates; height 0 at the cut
-	std::vector<std::int32_t> triangles;
+struct MirrorHalf : MarkedMesh {
+	// Positions are in the plane's coordinates, with height 0 at the cut.
 	std::vector<std::int32_t> faceOf; ///< per face: whole face of the surface
 	std::vector<SurfacePoint> point;  ///< per vertex: its point on the surface
-	std::vector<std::uint8_t> line;   ///< three a face: on a feature line of the surface
-
-	// If the input mesh has such values.
-	std::vector<std::uint8_t> selected;
-	std::vector<float>        wantedEdge;
-	std::vector<std::int32_t> region;
 
 	/// A view of all arrays that are not empty; of `line` if the input has lines.
 	MeshView view(const MeshView& input, const MirrorPlane& plane) const;

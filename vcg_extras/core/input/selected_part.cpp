@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selected_part.h"
 
+#include "load.h"
 #include "thin_border.h"
 
 #include <vcg_extras/core/base/failure.h>
@@ -9,14 +10,6 @@
 namespace gpr {
 
 namespace {
-
-void requireIndices(const MeshView& input)
-{
-	for (std::size_t i = 0; i < 3 * input.faceNum; ++i) {
-		if (std::uint32_t(input.vertexOf(i)) < input.vertexNum) continue;
-		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
-	}
-}
 
 void addVertex(const MeshView& input, std::int32_t v, SelectedPart& part)
 {
@@ -29,7 +22,8 @@ void addVertex(const MeshView& input, std::int32_t v, SelectedPart& part)
 
 SelectedPart cutOutSelected(const MeshView& input)
 {
-	requireIndices(input);
+	Workers workers(1, nullptr);
+	requireVertexNumbers(input, workers);
 	SelectedPart part;
 	part.isInPart.resize(input.faceNum);
 	for (std::size_t f = 0; f < input.faceNum; ++f)

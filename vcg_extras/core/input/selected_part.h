@@ -11,24 +11,10 @@
 namespace gpr {
 
 /// The selected faces as a mesh of its own, and the way back to the input mesh.
-struct SelectedPart {
-	std::vector<Vec3d>        positions;
-	std::vector<std::int32_t> triangles;
+struct SelectedPart : MarkedMesh {
 	std::vector<std::int32_t> vertexOf; ///< per vertex: vertex of the input mesh
 	std::vector<std::int32_t> faceOf;   ///< per face: face of the input mesh
 	std::vector<std::uint8_t> isInPart; ///< per face of the input mesh
-	std::vector<std::uint8_t> selected;
-	std::vector<std::uint8_t> line;
-	std::vector<std::int32_t> region;
-
-	MeshView view() const
-	{
-		MeshView v(positions, triangles);
-		v.selected = selected.empty() ? nullptr : selected.data();
-		v.line     = line.empty() ? nullptr : line.data();
-		v.region   = region.empty() ? nullptr : region.data();
-		return v;
-	}
 };
 
 /// Copies the selected faces, with their vertices in the order of the faces' corners. Leaves out

@@ -49,13 +49,12 @@ void exportKept(const MeshView& input, const ResultMesh& result, double unit, Re
 	for (std::size_t v = 0; v < result.vertex.size(); ++v) {
 		if (!result.vertex[v].isPinned) continue;
 		BarycentricPoint&  at     = out.surfacePoints[v];
-		const int          corner = nearestCorner(at);
-		const std::size_t  i      = 3 * std::size_t(at.face) + std::size_t(corner);
-		const std::int32_t c      = input.vertexOf(i);
+		const std::size_t  face   = std::size_t(at.face);
+		const std::size_t  corner = std::size_t(nearestCorner(at));
+		const std::int32_t c      = input.vertexOf(3 * face + corner);
 		const Vec3d        place  = input.position(std::size_t(c));
 		if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;
-		for (int k = 0; k < 3; ++k)
-			at.weight[k] = k == corner;
+		at                    = BarycentricPoint::ofCorner(face, corner);
 		out.callersVertex[v]  = c;
 		out.mesh.positions[v] = place;
 	}

@@ -106,11 +106,10 @@ private:
 	/// Half and mirrored half together must have the topology of the whole.
 	void requireSameTopology() const
 	{
-		const TriangleMesh mesh{half_.positions, half_.triangles};
 		const MeshFigures& whole = surface_.figures;
 		MeshFigures        joined;
 		try {
-			const JoinedHalves both = joinHalves(surface_, found_.plane, mesh, {});
+			const JoinedHalves both = joinHalves(surface_, found_.plane, half_, {});
 			joined                  = figuresOf(both.result.mesh, 1, run_.workers);
 		}
 		catch (const Failure&) {

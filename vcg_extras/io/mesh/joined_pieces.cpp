@@ -55,23 +55,23 @@ JoinedPieces::JoinedPieces(std::vector<MeshView> pieces) : piece_(std::move(piec
 {
 	for (std::size_t k = 0; k < piece_.size(); ++k)
 		add(k);
-	firstFace_.push_back(std::int32_t(region_.size()));
-	firstVertex_.push_back(std::int32_t(positions_.size()));
+	firstFace_.push_back(std::int32_t(whole_.region.size()));
+	firstVertex_.push_back(std::int32_t(whole_.positions.size()));
 }
 
 void JoinedPieces::add(std::size_t k)
 {
 	const MeshView&   piece  = piece_[k];
-	const std::size_t before = positions_.size();
-	firstFace_.push_back(std::int32_t(region_.size()));
+	const std::size_t before = whole_.positions.size();
+	firstFace_.push_back(std::int32_t(whole_.region.size()));
 	firstVertex_.push_back(std::int32_t(before));
-	append(piece.line, 3 * piece.faceNum, 3 * region_.size(), std::uint8_t(0), line_);
-	append(piece.selected, piece.vertexNum, before, std::uint8_t(0), selected_);
-	append(piece.wantedEdge, piece.vertexNum, before, 0.0f, wantedEdge_);
+	append(piece.line, 3 * piece.faceNum, 3 * whole_.region.size(), std::uint8_t(0), whole_.line);
+	append(piece.selected, piece.vertexNum, before, std::uint8_t(0), whole_.selected);
+	append(piece.wantedEdge, piece.vertexNum, before, 0.0f, whole_.wantedEdge);
 	for (std::size_t v = 0; v < piece.vertexNum; ++v)
-		positions_.push_back(piece.position(v));
+		whole_.positions.push_back(piece.position(v));
 	for (std::size_t c = 0; c < 3 * piece.faceNum; ++c)
-		triangles_.push_back(piece.vertexOf(c) + std::int32_t(before));
+		whole_.triangles.push_back(piece.vertexOf(c) + std::int32_t(before));
 	addRegions(k);
 }
 
@@ -89,18 +89,14 @@ void JoinedPieces::addRegions(std::size_t k)
 			names_.push_back(hasName ? (*piece.regionNames)[std::size_t(label)]
 									 : "piece " + std::to_string(k + 1));
 		}
-		region_.push_back(found.first->second);
+		whole_.region.push_back(found.first->second);
 	}
 }
 
 MeshView JoinedPieces::view() const
 {
-	MeshView v(positions_, triangles_);
-	v.region      = region_.data();
+	MeshView v    = whole_.view();
 	v.regionNames = &names_;
-	v.line        = line_.empty() ? nullptr : line_.data();
-	v.selected    = selected_.empty() ? nullptr : selected_.data();
-	v.wantedEdge  = wantedEdge_.empty() ? nullptr : wantedEdge_.data();
 	return v;
 }
 

@@ -38,12 +38,9 @@ private:
 
 	std::vector<MeshView>     piece_;
 	std::vector<std::int32_t> firstFace_, firstVertex_; ///< per piece, and an end
-	std::vector<Vec3d>        positions_;
-	std::vector<std::int32_t> triangles_, region_;
+	MarkedMesh                whole_;
 	std::vector<Part>         part_;
 	std::vector<std::string>  names_; ///< of parts
-	std::vector<std::uint8_t> line_, selected_;
-	std::vector<float>        wantedEdge_;
 
 	void add(std::size_t k);
 	void addRegions(std::size_t k);

@@ -243,24 +243,13 @@ private:
 		same.mesh.triangles = trianglesOf(view);
 		same.surfacePoints.resize(view.vertexNum);
 		for (std::size_t f = 0; f < view.faceNum; ++f) {
-			constexpr float third = 1.0f / 3;
-			same.facePoints.push_back(pointOf(f, third, third, third));
+			same.facePoints.push_back(BarycentricPoint::ofMiddle(f));
 			for (std::size_t k = 0; k < 3; ++k)
 				same.surfacePoints[std::size_t(view.triangle(f)[k])] =
-					pointOf(f, k == 0, k == 1, k == 2);
+					BarycentricPoint::ofCorner(f, k);
 		}
 		part.names = names_;
 		carry(std::move(same), part);
-	}
-
-	static BarycentricPoint pointOf(std::size_t face, float a, float b, float c)
-	{
-		BarycentricPoint point;
-		point.face      = std::int32_t(face);
-		point.weight[0] = a;
-		point.weight[1] = b;
-		point.weight[2] = c;
-		return point;
 	}
 
 	void write(Part& part, PartFacts& facts)
