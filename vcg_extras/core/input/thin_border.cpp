@@ -5,6 +5,7 @@
 #include "flat_pieces.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 namespace gpr {
 
 namespace {
-
-using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
 
 /// Margin for computing widths again, in another frame, when the part is remeshed.
 constexpr float margin = 2;
@@ -108,27 +107,18 @@ private:
 		std::vector<char> isCorner(input_.vertexNum, 0);
 		for (const auto& [v, i] : thinAt_)
 			isCorner[std::size_t(v)] = 1;
-		std::vector<Edge> edges;
-		for (std::size_t f = 0; f < input_.faceNum; ++f) {
-			if (!isInPart_[f]) continue;
-			const auto corner = input_.triangle(f);
-			for (std::size_t k = 0; k < 3; ++k) {
-				const std::int32_t a = corner[k], b = corner[(k + 1) % 3];
-				if (isCorner[std::size_t(a)] || isCorner[std::size_t(b)])
-					edges.push_back(std::minmax(a, b));
-			}
+		std::vector<EdgeSide> sides;
+		for (std::size_t c = 0; c < 3 * input_.faceNum; ++c) {
+			const EdgeSide side = edgeSide(input_, c);
+			if (isInPart_[c / 3] &&
+				(isCorner[std::size_t(side.low)] || isCorner[std::size_t(side.high)]))
+				sides.push_back(side);
 		}
-		std::sort(edges.begin(), edges.end());
-		for (std::size_t i = 0; i < edges.size();) {
-			std::size_t end = i + 1;
-			while (end < edges.size() && edges[end] == edges[i])
-				++end;
-			if (end - i == 1) {
-				border_.push_back(edges[i].first);
-				border_.push_back(edges[i].second);
-			}
-			i = end;
-		}
+		std::sort(sides.begin(), sides.end());
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			if (end - begin == 1)
+				border_.insert(border_.end(), {sides[begin].low, sides[begin].high});
+		});
 	}
 };
 

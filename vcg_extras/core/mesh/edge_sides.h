@@ -3,6 +3,9 @@
 #ifndef VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
 #define VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
 
+#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/mesh_view.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
@@ -24,6 +27,22 @@ struct EdgeSide {
 inline EdgeSide edgeSide(int a, int b, int halfEdge)
 {
 	return {std::min(a, b), std::max(a, b), halfEdge};
+}
+
+/// The side of an edge of a mesh that begins at a corner.
+inline EdgeSide edgeSide(const MeshView& mesh, std::size_t corner)
+{
+	return edgeSide(mesh.vertexOf(corner), mesh.vertexOf(corner % 3 == 2 ? corner - 2 : corner + 1),
+					int(corner));
+}
+
+/// The sides of all edges of a mesh, sorted; also of edges with a repeated vertex. Cost: linear,
+/// parallel.
+inline Buffer<EdgeSide> sortedSides(const MeshView& mesh, Workers& workers)
+{
+	return sortedByBuckets<EdgeSide>(
+		3 * mesh.faceNum, mesh.vertexNum, [&](std::size_t c) { return edgeSide(mesh, c); },
+		[](const EdgeSide& s) { return s.low; }, workers);
 }
 
 /// Calls visit(begin, end) for each run of sides of the same edge. Needs sorted sides.

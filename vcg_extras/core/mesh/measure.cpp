@@ -65,24 +65,14 @@ private:
 	int load(int x) const { return __atomic_load_n(&parent_[x], __ATOMIC_RELAXED); }
 };
 
-std::vector<EdgeSide> sortedEdges(const MeshView& mesh)
-{
-	std::vector<EdgeSide> edges;
-	edges.reserve(3 * mesh.faceNum);
-	for (std::size_t h = 0; h < 3 * mesh.faceNum; ++h)
-		edges.push_back(
-			edgeSide(mesh.vertexOf(h), mesh.vertexOf(h % 3 == 2 ? h - 2 : h + 1), int(h)));
-	std::sort(edges.begin(), edges.end());
-	return edges;
-}
-
 /// Fills components, boundaryLoops and eulerCharacteristic.
 void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
-	const std::vector<EdgeSide> edges = sortedEdges(mesh);
-	DisjointSets                faces(mesh.faceNum), rim(mesh.vertexNum);
-	std::vector<char>           used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
-	std::int64_t                edgeNum = 0;
+	Workers                workers(0, nullptr);
+	const Buffer<EdgeSide> edges = sortedSides(mesh, workers);
+	DisjointSets           faces(mesh.faceNum), rim(mesh.vertexNum);
+	std::vector<char>      used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
+	std::int64_t           edgeNum = 0;
 	forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
 		const int low = edges[begin].low, high = edges[begin].high;
 		for (std::size_t i = begin + 1; i < end; ++i)

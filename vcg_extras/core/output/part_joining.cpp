@@ -3,10 +3,9 @@
 #include "part_joining.h"
 
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace gpr {
@@ -14,11 +13,6 @@ namespace gpr {
 namespace {
 
 using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
-
-Edge edgeOf(std::int32_t a, std::int32_t b)
-{
-	return {std::min(a, b), std::max(a, b)};
-}
 
 /// The edges between selected and unselected faces, sorted.
 std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t>& isInPart)
@@ -29,18 +23,20 @@ std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t
 	const auto isOfBoth = [&](std::int32_t v) {
 		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
 	};
-	std::vector<Edge> edges[2]; // of the rest, of the part; only edges between vertices of both
+	std::vector<EdgeSide> sides;
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
-		const std::int32_t a = input.vertexOf(c), b = input.vertexOf(c % 3 == 2 ? c - 2 : c + 1);
-		if (a != b && isOfBoth(a) && isOfBoth(b))
-			edges[std::size_t(isInPart[c / 3])].push_back(edgeOf(a, b));
+		const EdgeSide side = edgeSide(input, c);
+		if (side.low != side.high && isOfBoth(side.low) && isOfBoth(side.high))
+			sides.push_back(side);
 	}
+	std::sort(sides.begin(), sides.end());
 	std::vector<Edge> seam;
-	for (std::vector<Edge>& e : edges) {
-		sortUnique(e);
-	}
-	std::set_intersection(edges[0].begin(), edges[0].end(), edges[1].begin(), edges[1].end(),
-						  std::back_inserter(seam));
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		bool hasSide[2] = {false, false}; // of the rest, of the part
+		for (std::size_t i = begin; i < end; ++i)
+			hasSide[isInPart[std::size_t(sides[i].halfEdge / 3)]] = true;
+		if (hasSide[0] && hasSide[1]) seam.push_back({sides[begin].low, sides[begin].high});
+	});
 	return seam;
 }
 
@@ -85,12 +81,9 @@ private:
 		std::vector<BarycentricPoint> at(input_.vertexNum);
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
 			if (part_.isInPart[f]) continue;
-			for (int k = 0; k < 3; ++k) {
-				BarycentricPoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
-				if (p.face >= 0) continue;
-				p.face = std::int32_t(f);
-				for (int i = 0; i < 3; ++i)
-					p.weight[i] = i == k;
+			for (std::size_t k = 0; k < 3; ++k) {
+				BarycentricPoint& p = at[std::size_t(input_.vertexOf(3 * f + k))];
+				if (p.face < 0) p = BarycentricPoint::ofCorner(f, k);
 			}
 		}
 		newIndex_.assign(input_.vertexNum, -1);
@@ -106,8 +99,7 @@ private:
 	{
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
 			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.vertexOf(c))]);
-		constexpr float third = 1 / 3.0f;
-		out_.facePoints.push_back({std::int32_t(f), {third, third, third}});
+		out_.facePoints.push_back(BarycentricPoint::ofMiddle(f));
 		out_.callersFace.push_back(std::int32_t(f));
 		if (input_.region != nullptr) out_.region.push_back(input_.region[f]);
 	}
@@ -151,7 +143,7 @@ private:
 		for (std::size_t c = std::size_t(first); c < t.size(); ++c) {
 			const std::int32_t a = out_.callersVertex[std::size_t(t[c])];
 			const std::int32_t b = out_.callersVertex[std::size_t(t[c % 3 == 2 ? c - 2 : c + 1])];
-			if (a >= 0 && b >= 0) made.push_back(edgeOf(a, b));
+			if (a >= 0 && b >= 0) made.push_back(std::minmax(a, b));
 		}
 		std::sort(made.begin(), made.end());
 		const std::vector<Edge> seam = findSeam(input_, part_.isInPart);

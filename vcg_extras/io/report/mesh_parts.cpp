@@ -14,21 +14,6 @@ namespace gpr::app {
 
 namespace {
 
-std::vector<EdgeSide> sidesOf(const MeshView& mesh)
-{
-	std::vector<EdgeSide> sides;
-	sides.reserve(3 * mesh.faceNum);
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const auto t = mesh.triangle(f);
-		for (std::size_t k = 0; k < 3; ++k) {
-			const std::int32_t a = t[k], b = t[(k + 1) % 3];
-			if (a != b) sides.push_back(edgeSide(a, b, int(3 * f + k)));
-		}
-	}
-	std::sort(sides.begin(), sides.end());
-	return sides;
-}
-
 double areaOf(const MeshView& mesh, std::size_t face)
 {
 	const auto   t    = mesh.triangle(face);
@@ -39,10 +24,10 @@ double areaOf(const MeshView& mesh, std::size_t face)
 	return std::isfinite(area) ? area : 0;
 }
 
-void measureJunctions(const MeshView& mesh, const std::vector<EdgeSide>& sides, MeshParts& parts)
+void measureJunctions(const MeshView& mesh, const Buffer<EdgeSide>& sides, MeshParts& parts)
 {
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-		if (end - begin < 3) return;
+		if (end - begin < 3 || sides[begin].low == sides[begin].high) return;
 		++parts.junctionEdges;
 		const double edge = length(mesh.position(std::size_t(sides[begin].high)) -
 								   mesh.position(std::size_t(sides[begin].low)));
@@ -51,12 +36,13 @@ void measureJunctions(const MeshView& mesh, const std::vector<EdgeSide>& sides, 
 }
 
 /// Per face: the first face of its piece.
-std::vector<int> piecesOf(const MeshView& mesh, const std::vector<EdgeSide>& sides)
+std::vector<int> piecesOf(const MeshView& mesh, const Buffer<EdgeSide>& sides)
 {
 	std::vector<int> first(mesh.faceNum);
 	std::iota(first.begin(), first.end(), 0);
 	std::map<std::int32_t, int> faceOf; // by label, at one edge
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (sides[begin].low == sides[begin].high) return;
 		faceOf.clear();
 		for (std::size_t i = begin; i < end && end - begin > 1; ++i) {
 			const int face  = sides[i].halfEdge / 3;
@@ -67,7 +53,7 @@ std::vector<int> piecesOf(const MeshView& mesh, const std::vector<EdgeSide>& sid
 	return first;
 }
 
-void measureRegions(const InputMesh& mesh, const std::vector<EdgeSide>& sides, MeshParts& parts)
+void measureRegions(const InputMesh& mesh, const Buffer<EdgeSide>& sides, MeshParts& parts)
 {
 	const MeshView view = mesh.view();
 	if (view.region == nullptr) return;
@@ -90,8 +76,9 @@ void measureRegions(const InputMesh& mesh, const std::vector<EdgeSide>& sides, M
 
 MeshParts measureParts(const InputMesh& mesh)
 {
-	MeshParts                   parts;
-	const std::vector<EdgeSide> sides = sidesOf(mesh.view());
+	MeshParts              parts;
+	Workers                workers(0, nullptr);
+	const Buffer<EdgeSide> sides = sortedSides(mesh.view(), workers);
 	measureJunctions(mesh.view(), sides, parts);
 	measureRegions(mesh, sides, parts);
 	return parts;

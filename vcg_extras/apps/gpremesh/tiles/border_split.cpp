@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "border_split.h"
 
+#include <vcg_extras/core/mesh/edge_sides.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,20 +19,6 @@ namespace {
 Edge edgeOf(std::int32_t a, std::int32_t b)
 {
 	return {std::min(a, b), std::max(a, b)};
-}
-
-/// Calls perEdge for both ends of every edge of every face, the smaller end first; also for edges
-/// without length.
-template <class Do>
-void forEdges(const MeshView& mesh, const Do& perEdge)
-{
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const auto t = mesh.triangle(f);
-		for (std::size_t k = 0; k < 3; ++k) {
-			const std::int32_t a = t[k], b = t[(k + 1) % 3];
-			perEdge(std::min(a, b), std::max(a, b));
-		}
-	}
 }
 
 class BorderSplitter {
@@ -214,24 +202,12 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 
 std::vector<Edge> borderEdges(const MeshView& mesh)
 {
-	// The larger ends of edges, grouped by smaller ends.
-	std::vector<std::size_t> start(mesh.vertexNum + 1, 0);
-	forEdges(mesh, [&](std::int32_t low, std::int32_t) { ++start[std::size_t(low)]; });
-	std::partial_sum(start.begin(), start.end(), start.begin());
-	std::vector<std::int32_t> ends(start.back());
-	forEdges(mesh,
-			 [&](std::int32_t low, std::int32_t high) { ends[--start[std::size_t(low)]] = high; });
-	std::vector<Edge> border;
-	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
-		const auto begin = ends.begin() + std::ptrdiff_t(start[v]);
-		const auto end   = ends.begin() + std::ptrdiff_t(start[v + 1]);
-		std::sort(begin, end);
-		for (auto it = begin; it != end;) {
-			const auto next = std::upper_bound(it, end, *it);
-			if (next - it == 1) border.push_back({std::int32_t(v), *it});
-			it = next;
-		}
-	}
+	Workers                workers(0, nullptr);
+	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
+	std::vector<Edge>      border;
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (end - begin == 1) border.push_back({sides[begin].low, sides[begin].high});
+	});
 	return border;
 }
 
