@@ -2,40 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_tree.h"
 
+#include <vcg_extras/core/base/box.h>
+
 #include <algorithm>
-#include <cmath>
 
 namespace gpr::app {
 
 namespace {
 
-double coordinate(const Vec3d& p, int axis)
-{
-	return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
 /// The longest axis of the box of some points.
 int longestAxis(const std::vector<Vec3d>& points, std::size_t begin, std::size_t end)
 {
-	int    longest = 0;
-	double most    = -1;
-	for (int axis = 0; axis < 3; ++axis) {
-		double low = HUGE_VAL, high = -HUGE_VAL;
-		for (std::size_t i = begin; i < end; ++i) {
-			low  = std::min(low, coordinate(points[i], axis));
-			high = std::max(high, coordinate(points[i], axis));
-		}
-		if (high - low > most) {
-			most    = high - low;
-			longest = axis;
-		}
-	}
+	Box<double> box;
+	for (std::size_t i = begin; i < end; ++i)
+		box.add(points[i]);
+	const Vec3d size    = box.high - box.low;
+	int         longest = 0;
+	for (int axis = 1; axis < 3; ++axis)
+		if (coordinate(size, axis) > coordinate(size, longest)) longest = axis;
 	return longest;
-}
-
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 } // namespace

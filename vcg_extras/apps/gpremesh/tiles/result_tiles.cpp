@@ -4,6 +4,7 @@
 
 #include "cell_tree.h"
 
+#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
@@ -191,16 +192,14 @@ private:
 
 Json tileJson(const std::string& name, const TriangleMesh& mesh)
 {
-	Vec3d low = mesh.positions.front(), high = low;
-	for (const Vec3d& p : mesh.positions) {
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
+	Box<double> box;
+	for (const Vec3d& p : mesh.positions)
+		box.add(p);
 	return {{"file", name},
 			{"vertices", mesh.vertexNum()},
 			{"faces", mesh.faceNum()},
-			{"low", {low.x, low.y, low.z}},
-			{"high", {high.x, high.y, high.z}}};
+			{"low", {box.low.x, box.low.y, box.low.z}},
+			{"high", {box.high.x, box.high.y, box.high.z}}};
 }
 
 } // namespace
