@@ -27,15 +27,6 @@ constexpr float cornerTurn = 50 * radians;
 /// A turn at one point that makes it a corner of a feature line.
 constexpr float kinkTurn = 25 * radians;
 
-/// The border half-edge after h: turns about the head of h until it meets the border again.
-int nextOnBorder(const HalfEdgeMesh& m, int h)
-{
-	int x = nextInFace(h);
-	while (m.opposite[x] >= 0)
-		x = nextInFace(m.opposite[x]);
-	return x;
-}
-
 void addPoint(const HalfEdgeMesh& m, int h, Curve& c)
 {
 	c.vertex.push_back(m.origin[h]);
@@ -52,7 +43,7 @@ Curve traceLoop(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
 	do {
 		seen[m.origin[h]] = 1;
 		addPoint(m, h, c);
-		h = nextOnBorder(m, h);
+		h = m.outgoing[m.target(h)];
 	} while (h != first);
 	return c;
 }
@@ -67,23 +58,6 @@ std::vector<Curve> traceBorder(const HalfEdgeMesh& m)
 		curves.push_back(traceLoop(m, h, seen));
 	}
 	return curves;
-}
-
-/// Whether feature lines end, fork, cross or meet the border at v.
-bool isNode(const HalfEdgeMesh& m, int v)
-{
-	const int n = m.creaseNum(v);
-	return n > 0 && (n != 2 || m.isBorderVertex(v));
-}
-
-/// The next half-edge of the feature line after h, whose target is no node.
-int nextOnCrease(const HalfEdgeMesh& m, int h)
-{
-	int next = -1;
-	forEachOutgoing(m, m.target(h), [&](int x) {
-		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
-	});
-	return next;
 }
 
 /// Both halves of every edge of a feature line, ascending, with a mark for edges passed. Edges of
@@ -125,7 +99,7 @@ Curve traceChain(const HalfEdgeMesh& m, int first, CreaseEdges& edges)
 		edges.markSeen(m.opposite[h]);
 		addPoint(m, h, c);
 		const int end = m.target(h);
-		if (isNode(m, end)) {
+		if (isCreaseNode(m, end)) {
 			c.isClosed = false;
 			c.vertex.push_back(end);
 			c.point.push_back(m.position[end]);
@@ -146,7 +120,7 @@ std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
 	CreaseEdges edges(m);
 	for (bool fromNodes : {true, false}) {
 		for (int v : edges.vertices()) {
-			if (isNode(m, v) != fromNodes) continue;
+			if (isCreaseNode(m, v) != fromNodes) continue;
 			forEachOutgoing(m, v, [&](int h) {
 				if (m.isCreaseEdge(h) && !edges.isSeen(h))
 					curves.push_back(traceChain(m, h, edges));
@@ -362,7 +336,7 @@ private:
 	std::unique_ptr<SharedBorders> shared_; ///< or null
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
-	bool isStop(int v) const { return isNode(m_, v) || isKept(v) || leavesMirror(m_, v); }
+	bool isStop(int v) const { return isCreaseNode(m_, v) || isKept(v) || leavesMirror(m_, v); }
 	/// Whether the curve is too short for three samples.
 	bool isTooShort(const Curve& c) const
 	{
@@ -456,39 +430,40 @@ private:
 		}
 	}
 
-	/// Arcs of the corners and of the nodes on the loop. If there are none, the sharpest turn is
-	/// the start of the loop.
-	std::vector<float> stopsOfLoop(const Curve& c, bool& hasCorners) const
+	/// Marks the corners and nodes on the loop.
+	std::vector<char> cornersOfLoop(const Curve& c) const
 	{
-		const float              window = windowOf(c);
-		const std::vector<float> turn   = turnsOver(c, window);
-		const bool onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
-		const std::vector<char> turns =
-			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
-		const bool followsTurns = border_ != BoundaryMode::Free && border_ != BoundaryMode::Smooth;
-		const bool hasTurns     = onCrease || followsTurns;
-		std::vector<float> arcs;
-		for (int i = 0; i < c.pointNum(); ++i) {
-			if ((turns[i] && hasTurns) || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
-		}
-		hasCorners = !arcs.empty();
-		if (arcs.empty()) {
-			const auto sharpest = std::max_element(turn.begin(), turn.end());
-			arcs.push_back(c.arc[sharpest - turn.begin()]);
-		}
-		return arcs;
+		const float window   = windowOf(c);
+		const bool  onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
+		const bool  followsTurns = border_ != BoundaryMode::Free && border_ != BoundaryMode::Smooth;
+		std::vector<char> corners(c.pointNum(), 0);
+		if (onCrease)
+			corners = findCreaseCorners(c, window);
+		else if (followsTurns)
+			corners = findTurns(c, turnsOver(c, window), window);
+		for (int i = 0; i < c.pointNum(); ++i)
+			corners[i] = corners[i] || isStop(c.vertex[i]);
+		return corners;
 	}
 
 	void sampleLoop(const Curve& c)
 	{
-		bool                     hasCorners = false;
-		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
-		const int                n          = int(corners.size());
+		const std::vector<char> isCorner = cornersOfLoop(c);
+		std::vector<float>      stops;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (isCorner[i]) stops.push_back(c.arc[i]);
+		}
+		const bool hasCorners = !stops.empty();
+		if (!hasCorners) { // the loop begins at its sharpest turn
+			const std::vector<float> turn = turnsOver(c, windowOf(c));
+			stops.push_back(c.arc[std::max_element(turn.begin(), turn.end()) - turn.begin()]);
+		}
+		const int n = int(stops.size());
 		// Even with few corners, three samples must come out.
 		const int minSteps = n == 1 ? 3 : n == 2 ? 2 : 1;
 		for (int i = 0; i < n; ++i) {
-			const float from = corners[i];
-			const float to   = i + 1 < n ? corners[i + 1] : corners[0] + c.length;
+			const float from = stops[i];
+			const float to   = i + 1 < n ? stops[i + 1] : stops[0] + c.length;
 			put(c, from, hasCorners);
 			for (float s : spaceOut(c, from, to, wanted_, minSteps))
 				put(c, s, false);
@@ -501,13 +476,11 @@ private:
 	/// three samples are certain.
 	void addSharedStops(int index)
 	{
-		const Curve&             c          = out_.curves[index];
-		bool                     hasCorners = false;
-		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
-		int                      stopNum    = 0;
+		const Curve&            c        = out_.curves[index];
+		const std::vector<char> isCorner = cornersOfLoop(c);
+		int                     stopNum  = 0;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			const bool isCorner = std::binary_search(corners.begin(), corners.end(), c.arc[i]);
-			if (isCorner && hasCorners && shared_->isOnShared(index, i)) shared_->addStop(index, i);
+			if (isCorner[i] && shared_->isOnShared(index, i)) shared_->addStop(index, i);
 			stopNum += shared_->isStop(index, i);
 		}
 		for (int k = 0; stopNum < 3 && k < 3; ++k) {
@@ -530,12 +503,10 @@ private:
 	/// shared segments.
 	std::vector<int> sharedStops(const Curve& c) const
 	{
-		bool                     hasCorners = false;
-		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
-		std::vector<int>         stops;
+		const std::vector<char> isCorner = cornersOfLoop(c);
+		std::vector<int>        stops;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			const bool isCorner = std::binary_search(corners.begin(), corners.end(), c.arc[i]);
-			const bool isOwn    = isCorner && hasCorners && !shared_->isOnShared(index_, i);
+			const bool isOwn = isCorner[i] && !shared_->isOnShared(index_, i);
 			if (isOwn || shared_->isStop(index_, i)) stops.push_back(i);
 		}
 		return stops;
@@ -637,7 +608,7 @@ private:
 			distance[k]     = d;
 			sample.vertex   = c.vertex[i];
 			sample.isPinned = sample.isCorner && d == 0 && isKept(c.vertex[i]);
-			if (isNode(m_, c.vertex[i])) sampleOfNode_[c.vertex[i]] = owner[i];
+			if (isCreaseNode(m_, c.vertex[i])) sampleOfNode_[c.vertex[i]] = owner[i];
 		}
 		out_.sampleOfPoint.push_back(std::move(owner));
 	}
@@ -675,6 +646,21 @@ int minPieces(const Curve& c, const ChainEnds& chainEnds)
 }
 
 } // namespace
+
+bool isCreaseNode(const HalfEdgeMesh& m, int v)
+{
+	const int n = m.creaseNum(v);
+	return n > 0 && (n != 2 || m.isBorderVertex(v));
+}
+
+int nextOnCrease(const HalfEdgeMesh& m, int h)
+{
+	int next = -1;
+	forEachOutgoing(m, m.target(h), [&](int x) {
+		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
+	});
+	return next;
+}
 
 std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
 {

@@ -38,6 +38,11 @@ struct BoundaryCurves {
 	std::vector<std::vector<int>> sampleOfPoint;
 };
 
+/// Whether feature lines end, fork, cross or meet the border at v.
+bool isCreaseNode(const HalfEdgeMesh& mesh, int v);
+/// The next half-edge of the feature line after h, whose target is no node.
+int nextOnCrease(const HalfEdgeMesh& mesh, int h);
+
 /// The border loops, then the feature lines (mesh.crease), cut into chains between nodes.
 std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 

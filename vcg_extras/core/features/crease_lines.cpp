@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crease_lines.h"
 
+#include "boundary_curves.h"
 #include "close_lines.h"
 #include "crease_clearance.h"
 
@@ -255,7 +256,7 @@ private:
 		std::vector<int> ends;
 		for (int h : sharp) {
 			for (int v : {m_.origin[h], m_.target(h)}) {
-				if (!m_.isBorderVertex(v) && m_.creaseNum(v) == 1) ends.push_back(v);
+				if (isFreeEnd(v)) ends.push_back(v);
 			}
 		}
 		std::sort(ends.begin(), ends.end());
@@ -266,7 +267,7 @@ private:
 
 	void growFrom(int v)
 	{
-		while (!m_.isBorderVertex(v) && m_.creaseNum(v) == 1) {
+		while (isFreeEnd(v)) {
 			const int on = bestContinuation(v);
 			if (on < 0) return;
 			mark(on, true);
@@ -358,22 +359,9 @@ private:
 			chain.push_back(std::min(h, m_.opposite[h]));
 			sum += edgeLength(m_, h);
 			if (sum >= rules_.minSpur) return;
-			h = onlyNext(h);
+			h = isCreaseNode(m_, m_.target(h)) ? -1 : nextOnCrease(m_, h);
 		}
 		spurs.insert(spurs.end(), chain.begin(), chain.end());
-	}
-
-	/// The half-edge after h in a chain; -1 at its end or at a fork.
-	int onlyNext(int h) const
-	{
-		const int v    = m_.target(h);
-		int       next = -1, n = 0;
-		forEachOutgoing(m_, v, [&](int x) {
-			if (!m_.isCreaseEdge(x)) return;
-			++n;
-			if (x != m_.opposite[h]) next = x;
-		});
-		return n == 2 && !m_.isBorderVertex(v) ? next : -1;
 	}
 
 	// ---- cone apexes

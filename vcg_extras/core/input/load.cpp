@@ -110,28 +110,18 @@ Frame requireFrame(const Box<double>& box)
 												: "The surface has no area.");
 }
 
-/// Numbers the used vertices consecutively and renames the corners of faces.
+/// Copies the used vertices in their order and renames the corners of faces.
 void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
 				  IndexedMesh& mesh, CleanCounts& counts)
 {
-	const std::int64_t unused = workers.sumEach<std::int64_t>(
-		input.vertexNum, [&](int v, std::int64_t& n) { n += !used[v]; });
-	mesh.vertexNum = int(input.vertexNum - unused);
-	mesh.position.reset(withRoom(mesh.vertexNum));
-	if (unused == 0) {
-		workers.forEach(input.vertexNum,
-						[&](int v) { mesh.position[v] = mesh.frame.toWorking(input.position(v)); });
-		return;
-	}
-	counts.unreferencedVertices = unused;
-	Buffer<int> numberUpTo(input.vertexNum); // of the used vertices up to and including each vertex
-	workers.forEach(input.vertexNum, [&](int v) { numberUpTo[v] = used[v]; });
-	workers.sumUp(numberUpTo.data(), input.vertexNum);
+	mesh.vertexNum = int(input.vertexNum);
+	mesh.position.reset(withRoom(input.vertexNum));
 	workers.forEach(input.vertexNum, [&](int v) {
-		if (used[v]) mesh.position[numberUpTo[v] - 1] = mesh.frame.toWorking(input.position(v));
+		if (used[v]) mesh.position[v] = mesh.frame.toWorking(input.position(v));
 	});
-	workers.forEach(std::size_t(3) * mesh.faceNum,
-					[&](int i) { mesh.triangle[i] = numberUpTo[mesh.triangle[i]] - 1; });
+	dropUnusedVertices(mesh, workers);
+	counts.unreferencedVertices =
+		std::int64_t(input.vertexNum) - mesh.vertexNum - counts.nonFiniteVertices;
 }
 
 bool isSoup(const IndexedMesh& mesh)
@@ -188,7 +178,6 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	mesh.frame = requireFrame(boxOfUsed(input, used, workers));
 	if (input.mirrorAxis >= 0) setCoordinate(mesh.frame.origin, input.mirrorAxis, 0.0);
 	copyVertices(input, used, workers, mesh, counts);
-	counts.unreferencedVertices -= counts.nonFiniteVertices;
 	if (isSoup(mesh)) weld(mesh, workers, counts);
 	if (mesh.faceNum == 0) {
 		throw Failure(Status::UnusableInput, "No face has an area.");
