@@ -147,16 +147,11 @@ void remeshMatched(const Call& call, RemeshResult& out)
 		return remeshInput(call, out); // refuses the options
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
-	RemeshOptions       inside  = call.options;
+	RemeshOptions       inside  = call.optionsForMesh(matched.vertexNum());
 	inside.boundary             = BoundaryMode::Keep;
 	inside.period               = {};
-	if (inside.timeLimitSeconds > 0)
-		inside.timeLimitSeconds =
-			std::max(1e-3, inside.timeLimitSeconds - secondsSince(call.start));
-	if (inside.targetMode == TargetMode::Percent) // percent of the input's vertices
-		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
-	MeshView view    = matched.view();
-	view.regionNames = call.input.regionNames;
+	MeshView view               = matched.view();
+	view.regionNames            = call.input.regionNames;
 	remeshInput({view, inside, call.progress, call.stop, nullptr, call.start}, out);
 	nameCallers(call.input, matched, out);
 	out.report.input.vertices = std::int64_t(call.input.vertexNum); // not of the split mesh

@@ -52,6 +52,17 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 
 } // namespace
 
+RemeshOptions Call::optionsForMesh(std::size_t vertexNum) const
+{
+	const std::chrono::duration<double> spent  = StageClock::Clock::now() - start;
+	RemeshOptions                       inside = options;
+	if (inside.timeLimitSeconds > 0)
+		inside.timeLimitSeconds = std::max(1e-3, inside.timeLimitSeconds - spent.count());
+	if (inside.targetMode == TargetMode::Percent)
+		inside.targetPercent *= double(input.vertexNum) / double(vertexNum);
+	return inside;
+}
+
 Setup::Setup(const Call& call, Pipeline pipeline) :
 		options(resolved(call.input, pipeline, call.options)),
 		workers(options.threads, call.progress, options.timeLimitSeconds, call.stop),

@@ -35,6 +35,10 @@ struct Call {
 	InputCache*             cache = nullptr; ///< null: no other run uses the input
 	/// The beginning of the whole call, for the times of stages.
 	StageClock::Clock::time_point start = StageClock::Clock::now();
+
+	/// The options for a mesh made of the input with another number of vertices: the same wanted
+	/// size, and the rest of the time.
+	RemeshOptions optionsForMesh(std::size_t vertexNum) const;
 };
 
 /// The common parts of all pipelines: options in force, threads and run context.

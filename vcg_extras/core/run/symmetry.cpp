@@ -11,7 +11,6 @@
 #include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 namespace gpr {
@@ -72,17 +71,14 @@ public:
 	}
 
 private:
-	using Clock = std::chrono::steady_clock;
-
-	const Call&             call_;
-	RunContext&             run_;
-	Products&               made_;
-	WorkingSurface&         surface_;
-	const Clock::time_point start_ = Clock::now();
-	FoundPlane              found_;
-	MirrorHalf              half_;
-	MeshView                view_;
-	RemeshResult            ofRun_; ///< of the half
+	const Call&     call_;
+	RunContext&     run_;
+	Products&       made_;
+	WorkingSurface& surface_;
+	FoundPlane      found_;
+	MirrorHalf      half_;
+	MeshView        view_;
+	RemeshResult    ofRun_; ///< of the half
 
 	const RemeshOptions& options() const { return call_.options; }
 	double               diagonal() const { return surface_.figures.diagonal; }
@@ -128,7 +124,7 @@ private:
 	/// The options of the half. Counts are of the whole mesh (CountTarget).
 	RemeshOptions optionsOfHalf() const
 	{
-		RemeshOptions o           = options();
+		RemeshOptions o           = call_.optionsForMesh(view_.vertexNum);
 		o.symmetry                = Symmetry::Off;
 		o.seed                    = run_.options.seed;
 		o.boundary                = BoundaryMode::Resample;
@@ -138,16 +134,12 @@ private:
 		o.surfacePointsOfVertices = true;
 		o.surfacePointsOfFaces    = false;
 		setSize(o);
-		const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
-		if (o.timeLimitSeconds > 0) o.timeLimitSeconds = std::max(1e-3, o.timeLimitSeconds - spent);
 		return o;
 	}
 
 	/// The wanted size, where the option refers to the whole input.
 	void setSize(RemeshOptions& o) const
 	{
-		if (o.targetMode == TargetMode::Percent)
-			o.targetPercent *= double(call_.input.vertexNum) / double(view_.vertexNum);
 		if (o.targetMode == TargetMode::MaxError) o.targetMaxError = errorOfHalf();
 		if (o.targetMode != TargetMode::Detail) return;
 		RemeshOptions ofWhole = options();
