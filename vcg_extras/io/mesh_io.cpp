@@ -65,8 +65,7 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 void checkCarried(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
 	if (format == MeshFormat::Ply || !wanted.anyRequired()) return;
-	throw AppError(ExitCode::Usage,
-				   "the selection is read from PLY files only, not from '" + path + "'.");
+	failUsage("the selection is read from PLY files only, not from '" + path + "'.");
 }
 
 } // namespace
@@ -85,8 +84,8 @@ namespace {
 void requireLibrary(bool isThere, const std::string& path, const std::string& library)
 {
 	if (isThere) return;
-	throw AppError(ExitCode::Usage, "'" + path + "' needs the library " + library +
-										", which this build of gpremesh was made without.");
+	failUsage("'" + path + "' needs the library " + library +
+			  ", which this build of gpremesh was made without.");
 }
 
 } // namespace
@@ -107,8 +106,7 @@ MeshFormat formatOfPath(const std::string& path)
 		requireLibrary(hasThreeMf(), path, "lib3mf (Debian: lib3mf-dev)");
 		return MeshFormat::ThreeMf;
 	}
-	throw AppError(ExitCode::Usage,
-				   "'" + path + "' has none of the extensions " + formatNames() + ".");
+	failUsage("'" + path + "' has none of the extensions " + formatNames() + ".");
 }
 
 std::string formatNames()

@@ -35,6 +35,12 @@ public:
 	throw AppError(ExitCode::BadInput, sentence);
 }
 
+/// Ends the program for a wrong command line or option.
+[[noreturn]] inline void failUsage(const std::string& sentence)
+{
+	throw AppError(ExitCode::Usage, sentence);
+}
+
 } // namespace gpr::app
 
 #endif

@@ -116,6 +116,13 @@ void OutputFile::commit()
 	temporary_.clear();
 }
 
+void writeText(const std::string& path, const std::string& text, const RunLimit& limit)
+{
+	OutputFile out(path, limit);
+	out.text(text);
+	out.commit();
+}
+
 void checkWritable(const std::string& path)
 {
 	const std::string target = withoutLinks(path);

@@ -66,6 +66,9 @@ private:
 	[[noreturn]] void fail() const;
 };
 
+/// Writes a whole file of text.
+void writeText(const std::string& path, const std::string& text, const RunLimit& limit = {});
+
 /// Throws AppError (Failure) when no file could be written there: the folder is missing or not
 /// writable, or the path is a folder. Leaves no trace. To be asked before long work.
 void checkWritable(const std::string& path);

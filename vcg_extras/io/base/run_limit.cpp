@@ -22,6 +22,12 @@ void RunLimit::check() const
 	if (const char* const sentence = reason()) throw AppError(ExitCode::Stopped, sentence);
 }
 
+void RunLimit::tell(const ProgressCallback& progress, double share, const char* phrase) const
+{
+	check();
+	if (progress && !progress(share, phrase)) check();
+}
+
 double RunLimit::secondsLeft() const
 {
 	constexpr double least = 1e-3;

@@ -5,6 +5,8 @@
 
 #include "stopwatch.h"
 
+#include <vcg_extras/core/progress.h>
+
 namespace gpr::app {
 
 /// When a run of the program has to end early: at a signal, or when its time is up.
@@ -19,6 +21,8 @@ public:
 	const char* reason() const;
 	/// Throws AppError (Stopped) with the reason, if any.
 	void check() const;
+	/// Tells a share of the work, if somebody listens. Throws as check().
+	void tell(const ProgressCallback& progress, double share, const char* phrase) const;
 	/// Time left for the engine, more than 0; 0 = no limit.
 	double secondsLeft() const;
 

@@ -13,11 +13,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
 [[noreturn]] void failRange(const Parameter& p, const std::string& kind, const std::string& given)
 {
 	failUsage(std::string(p.option) + " takes " + kind + rangeText(p) + ", not '" + given + "'.");

@@ -4,6 +4,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <sstream>
 
 namespace gpr::app {
 
@@ -15,6 +16,22 @@ std::string formatted(const char* format, ...)
 	std::vsnprintf(text, sizeof text, format, arguments);
 	va_end(arguments);
 	return text;
+}
+
+std::string wrapped(const std::string& text, std::size_t width, const std::string& indent)
+{
+	std::istringstream words(text);
+	std::string        lines, line;
+	for (std::string word; words >> word;) {
+		if (!line.empty() && line.size() + 1 + word.size() > width) {
+			lines += line + "\n";
+			line = indent + word;
+		}
+		else {
+			line += (line.empty() ? "" : " ") + word;
+		}
+	}
+	return lines + line;
 }
 
 std::string grouped(std::int64_t count)

@@ -16,6 +16,10 @@ __attribute__((format(printf, 1, 2))) // the compiler checks the arguments
 std::string
 formatted(const char* format, ...);
 
+/// Breaks a text into lines of at most `width` characters; `indent` goes before all lines but the
+/// first, and counts.
+std::string wrapped(const std::string& text, std::size_t width, const std::string& indent = "");
+
 /// "1,234,567": large counts are read more easily in groups.
 std::string grouped(std::int64_t count);
 

@@ -16,11 +16,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
 bool sameFile(const std::string& a, const std::string& b)
 {
 	std::error_code error;

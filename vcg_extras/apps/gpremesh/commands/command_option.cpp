@@ -3,39 +3,22 @@
 #include "command_option.h"
 
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/report/formatted_text.h>
 #include <vcg_extras/io/text/number_text.h>
 
 #include <algorithm>
 #include <cctype>
 #include <limits>
-#include <sstream>
 
 namespace gpr::app {
 
 namespace {
 
-/// Breaks a text into lines beside the names of the options, for 100 columns.
-std::string wrapped(const std::string& text)
-{
-	constexpr std::size_t width = 68;
-	std::string           lines;
-	std::size_t           used = 0;
-	std::istringstream    words(text);
-	for (std::string word; words >> word; used += word.size()) {
-		if (used > 0) {
-			const bool full = used + 1 + word.size() > width;
-			lines += full ? '\n' : ' ';
-			used = full ? 0 : used + 1;
-		}
-		lines += word;
-	}
-	return lines;
-}
-
 std::string helpText(const Parameter& p)
 {
-	const std::string value = defaultText(p);
-	return wrapped(commandHelp(p) + (value.empty() ? "" : " Default: " + value + "."));
+	constexpr std::size_t width = 68; // beside the names of the options, for 100 columns
+	const std::string     value = defaultText(p);
+	return wrapped(commandHelp(p) + (value.empty() ? "" : " Default: " + value + "."), width);
 }
 
 /// Bytes of a unit; 0 for an unknown unit. K is a thousand, Ki is 1024.
@@ -66,9 +49,7 @@ std::uint64_t parseBytes(const std::string& word)
 	const bool          isRead = parseInteger(std::string(word.begin(), end), number);
 	if (!isRead || unit == 0 ||
 		std::uint64_t(number) > std::numeric_limits<std::uint64_t>::max() / unit) {
-		throw AppError(ExitCode::Usage,
-					   "--memory takes a whole number with a unit, such as 8G, not '" + word +
-						   "'.");
+		failUsage("--memory takes a whole number with a unit, such as 8G, not '" + word + "'.");
 	}
 	return std::uint64_t(number) * unit;
 }
@@ -113,8 +94,7 @@ CommandOption tilesOutOption(CommandLine& line)
 	const auto take = [&line](const std::string& word) {
 		std::int64_t number = 0;
 		if (!parseInteger(word, number) || number < 1 || number > 10000) {
-			throw AppError(ExitCode::Usage,
-						   "--tiles-out takes a whole number from 1 to 10000, not '" + word + "'.");
+			failUsage("--tiles-out takes a whole number from 1 to 10000, not '" + word + "'.");
 		}
 		line.outTileNum = int(number);
 	};

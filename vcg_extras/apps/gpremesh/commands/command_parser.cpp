@@ -29,11 +29,6 @@ const char* const exitCodeHelp =
 	"     the topology; nothing is written\n"
 	"  5  cancelled or out of time; nothing is written\n";
 
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
 /// The parser's complaint with a full stop.
 std::string sentence(std::string complaint)
 {
@@ -122,14 +117,21 @@ struct Files {
 	}
 };
 
+/// A command that reads a mesh.
+CLI::App* addCommand(CLI::App& app, const char* name, const char* help, std::string& in)
+{
+	CLI::App* command = app.add_subcommand(name, help);
+	command->add_option("IN", in, inHelp())->required();
+	command->footer(exitCodeHelp);
+	return command;
+}
+
 CLI::App* addRemesh(CLI::App& app, RemeshWords& words, Files& files)
 {
-	CLI::App* remesh = app.add_subcommand("remesh", remeshDescription);
-	remesh->add_option("IN", files.in, inHelp())->required();
+	CLI::App* remesh = addCommand(app, "remesh", remeshDescription, files.in);
 	remesh->add_option("OUT", files.out, outHelpOfRemesh());
 	remesh->add_option("MORE", files.more, "With --out-dir: further input meshes");
 	addInGroups(*remesh, words.options());
-	remesh->footer(exitCodeHelp);
 	return remesh;
 }
 
@@ -160,11 +162,12 @@ void addLevelSizes(CLI::App& levels, const char* option, const char* help, Targe
 /// Several sizes of one mesh.
 CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CLI::App* levels = app.add_subcommand(
-		"levels", "Remeshes IN to several sizes, such as levels of detail, and writes a file for\n"
-				  "each size. IN is read and prepared once. Each level has a proven bound of the\n"
-				  "distance from IN.");
-	levels->add_option("IN", line.input, inHelp())->required();
+	CLI::App* levels =
+		addCommand(app, "levels",
+				   "Remeshes IN to several sizes, such as levels of detail, and writes a file for\n"
+				   "each size. IN is read and prepared once. Each level has a proven bound of the\n"
+				   "distance from IN.",
+				   line.input);
 	levels
 		->add_option("OUT", line.output,
 					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
@@ -177,16 +180,14 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
 	addInGroups(*levels, tableOptions(RemeshTool, given, isForLevels));
 	addOutcome(*levels, line, "Write a report of each level as JSON, in the list 'levels'");
-	levels->footer(exitCodeHelp);
 	return levels;
 }
 
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
-	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
-	info->add_option("IN", line.input, inHelp())->required();
+	CLI::App* info =
+		addCommand(app, "info", "Prints counts, topology and quality of IN.", line.input);
 	info->add_flag("--json", line.json, "Print JSON");
-	info->footer(exitCodeHelp);
 	return info;
 }
 
@@ -204,11 +205,11 @@ bool isForCompare(const Parameter& p)
 
 CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CLI::App* compare = app.add_subcommand(
-		"compare",
+	CLI::App* compare = addCommand(
+		app, "compare",
 		"Remeshes IN with these options, with the preset paper and by MeshLab's Quadric\n"
-		"Edge Collapse. Prints a table of times, distances from IN and triangle quality.");
-	compare->add_option("IN", line.input, inHelp())->required();
+		"Edge Collapse. Prints a table of times, distances from IN and triangle quality.",
+		line.input);
 	addInGroups(*compare, tableOptions(RemeshTool, given, isForCompare));
 	compare->add_flag("--isotropic", line.isotropic,
 					  "Also run MeshLab's Isotropic Explicit Remeshing");
@@ -222,21 +223,19 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->add_option("--html", line.htmlFolder,
 					 "Write the page DIR/index.html with rotatable views and pictures")
 		->type_name("DIR");
-	compare->footer(exitCodeHelp);
 	return compare;
 }
 
 CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CLI::App* features = app.add_subcommand(
-		"features",
+	CLI::App* features = addCommand(
+		app, "features",
 		"Detects crease edges and cone apexes of IN. OUT is the same mesh with the strength of\n"
-		"each vertex, in degrees, as quality and as colour, and with the features selected.");
-	features->add_option("IN", line.input, inHelp())->required();
+		"each vertex, in degrees, as quality and as colour, and with the features selected.",
+		line.input);
 	features->add_option("OUT", line.output, "Mesh to write: .ply; may be IN")->required();
 	addTableOptions(*features, FeatureTool, given);
 	addOutcome(*features, line, "Write thresholds and counts as JSON");
-	features->footer(exitCodeHelp);
 	return features;
 }
 

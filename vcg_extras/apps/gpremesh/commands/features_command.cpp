@@ -117,11 +117,7 @@ void runFeatures(const CommandLine& line, const Stopwatch& programClock)
 	FeatureResult   found = detectWithProgress(mesh, line, limit);
 	writeFeatures(mesh, found, line.output, limit);
 	const FeaturesRecord record = recordOf(line, mesh, found);
-	if (!line.report.empty()) {
-		OutputFile out(line.report);
-		out.text(featuresJson(record));
-		out.commit();
-	}
+	if (!line.report.empty()) writeText(line.report, featuresJson(record));
 	if (!line.quiet) std::fputs(featuresText(record).c_str(), stdout);
 }
 

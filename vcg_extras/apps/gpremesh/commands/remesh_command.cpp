@@ -145,13 +145,6 @@ void dropDoubles(MeshFormat format, bool& isDouble, std::vector<std::string>& no
 	notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
 }
 
-void writeText(const std::string& path, const std::string& text)
-{
-	OutputFile out(path);
-	out.text(text);
-	out.commit();
-}
-
 std::string listOf(const std::vector<std::string>& words)
 {
 	std::string list;

@@ -16,11 +16,6 @@ namespace {
 
 constexpr const char* dataGroup = "Files, regions and values of the input";
 
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
 CommandOption textOption(const char* option, const char* argument, const char* help,
 						 std::string& kept, const char* group)
 {

@@ -149,21 +149,6 @@ std::string methodsText(const CompareRecord& record)
 	return text + ".";
 }
 
-/// Text broken into lines of at most 110 characters, indented from the second.
-std::string wrapped(const std::string& text)
-{
-	std::istringstream words(text);
-	std::string        lines, line;
-	for (std::string word; words >> word;) {
-		if (line.size() + 1 + word.size() > 110) {
-			lines += line + "\n";
-			line = " ";
-		}
-		line += (line.empty() ? "" : " ") + word;
-	}
-	return lines + line + "\n";
-}
-
 } // namespace
 
 FigureTable figureTable(const CompareRecord& record)
@@ -216,7 +201,7 @@ std::string compareText(const CompareRecord& record)
 		text += "\n";
 	}
 	for (const std::string& e : explanations(record))
-		text += wrapped(e);
+		text += wrapped(e, 110, "  ") + "\n";
 	return text;
 }
 

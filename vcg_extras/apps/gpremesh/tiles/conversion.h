@@ -24,11 +24,7 @@ struct Conversion {
 	const ProgressCallback& progress;
 
 	/// Throws AppError (Stopped) if the run has to end.
-	void tell(double share) const
-	{
-		limit.check();
-		if (progress && !progress(share, "Converting the input")) limit.check();
-	}
+	void tell(double share) const { limit.tell(progress, share, "Converting the input"); }
 };
 
 // Each function writes the target whole or not at all, and returns sentences for the report. Throws

@@ -149,7 +149,7 @@ std::string MeshSpill::header(bool asFloats) const
 	return headerText(types, isColoured(), all_.vertexNum_, all_.faceNum_);
 }
 
-void MeshSpill::writePly(const std::string& path)
+std::vector<std::string> MeshSpill::writePly(const std::string& path)
 {
 	vertices_.commit();
 	faces_.commit();
@@ -163,6 +163,8 @@ void MeshSpill::writePly(const std::string& path)
 	writeVertices(layout, out);
 	writeFaces(layout, out);
 	out.commit();
+	if (all_.tooSmallNum_ == 0) return {};
+	return {tooSmallFacesNote(all_.tooSmallNum_)};
 }
 
 void MeshSpill::writeVertices(const PlyRecordLayout& layout, OutputFile& out) const

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 // A mesh of any size, read from text, on the disk until the types for writing are known.
 
@@ -42,13 +43,13 @@ public:
 
 	void          add(const MeshPieceBytes& piece);
 	std::uint64_t vertexNum() const { return all_.vertexNum_; }
-	std::uint64_t tooSmallFaceNum() const { return all_.tooSmallNum_; }
 
-	/// Writes the whole mesh; nothing can be added afterwards. Coordinates are floats if floats
+	/// Writes the whole mesh; nothing can be added afterwards. Returns sentences about faces that
+	/// were left out. Coordinates are floats if floats
 	/// resolve a thousandth of the mean edge (see settlePrecision); the mean edge is estimated from
 	/// a sample of 10,000 faces. Writes colours if all vertices have a colour. Throws AppError
 	/// (BadInput) for a vertex number out of range, and if there is no face.
-	void writePly(const std::string& path);
+	std::vector<std::string> writePly(const std::string& path);
 
 private:
 	std::string    verticesPath_, facesPath_;

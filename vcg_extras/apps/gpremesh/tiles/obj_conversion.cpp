@@ -4,7 +4,6 @@
 #include "mesh_spill.h"
 
 #include <vcg_extras/io/formats/obj_lines.h>
-#include <vcg_extras/io/mesh/face_list.h>
 #include <vcg_extras/io/text/text_pieces.h>
 
 namespace gpr::app {
@@ -71,10 +70,7 @@ std::vector<std::string> convertObj(const Conversion& job)
 			lost.add(read.sink.lost);
 		}
 	}
-	mesh.writePly(job.target);
-
-	std::vector<std::string> notes;
-	if (mesh.tooSmallFaceNum() > 0) notes.push_back(tooSmallFacesNote(mesh.tooSmallFaceNum()));
+	std::vector<std::string> notes = mesh.writePly(job.target);
 	if (!lost.words().empty())
 		notes.push_back("Not carried through tiles from an OBJ file: " + lost.words() + ".");
 	return notes;

@@ -4,7 +4,6 @@
 #include "mesh_spill.h"
 
 #include <vcg_extras/io/formats/off_lines.h>
-#include <vcg_extras/io/mesh/face_list.h>
 #include <vcg_extras/io/text/text_pieces.h>
 
 #include <filesystem>
@@ -49,11 +48,7 @@ std::vector<std::string> convertOff(const Conversion& job)
 		recordNum += before.back();
 	}
 	requireAllOffRecords(header, recordNum);
-	mesh.writePly(job.target);
-
-	std::vector<std::string> notes;
-	if (mesh.tooSmallFaceNum() > 0) notes.push_back(tooSmallFacesNote(mesh.tooSmallFaceNum()));
-	return notes;
+	return mesh.writePly(job.target);
 }
 
 } // namespace gpr::app

@@ -155,6 +155,12 @@ std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
 	return plyHeaderText(header, layout.comments);
 }
 
+bool haveSameProperties(PlyRecordLayout a, PlyRecordLayout b)
+{
+	a.comments = b.comments = "";
+	return headerText(a, 0, 0) == headerText(b, 0, 0);
+}
+
 void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::string& out)
 {
 	const PlyProperty& list = layout.faces().properties[layout.indexList];

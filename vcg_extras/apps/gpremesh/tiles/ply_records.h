@@ -58,6 +58,9 @@ PlyHeader ownHeader(std::vector<PlyElement> elements);
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
 					   std::uint64_t faceNum);
 
+/// Whether vertices and faces have the same properties, in the same order.
+bool haveSameProperties(PlyRecordLayout a, PlyRecordLayout b);
+
 /// A face: its vertices, and the bytes of its other properties, in their order.
 struct FaceRecord {
 	std::vector<std::int64_t> corners;

@@ -228,9 +228,7 @@ void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& 
 		index["tiles"].push_back(tileJson(name, tile.mesh));
 	}
 	attributes.lost.insert(attributes.lost.end(), lost.begin(), lost.end());
-	OutputFile file(out.file(indexName), limit);
-	file.text(textOf(index));
-	file.commit();
+	writeText(out.file(indexName), textOf(index), limit);
 	out.commit();
 }
 

@@ -132,9 +132,7 @@ void writeJson(const std::string& path, const Json& json)
 {
 	Json whole         = json;
 	whole[checksumKey] = checksumOf(textOf(json));
-	OutputFile out(path);
-	out.text(textOf(whole));
-	out.commit();
+	writeText(path, textOf(whole));
 }
 
 std::optional<Json> readJson(const std::string& path)
@@ -157,9 +155,9 @@ std::optional<Json> readJson(const std::string& path)
 
 void failOtherPlan(const std::string& path)
 {
-	throw AppError(ExitCode::Usage, "'" + path +
-										"' belongs to another plan. Remove the folder of the run "
-										"or name another folder.");
+	failUsage("'" + path +
+			  "' belongs to another plan. Remove the folder of the run "
+			  "or name another folder.");
 }
 
 std::optional<Json> readRecord(const std::string& path, const std::string& planName)

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::uint64_t pollMask = 0xffff;
 
-bool haveSameProperties(const PlyRecordLayout& a, const PlyRecordLayout& b)
-{
-	// The counts differ; equal properties make the rest of the headers equal.
-	return headerText(a, 0, 0) == headerText(b, 0, 0);
-}
-
 class PartJoiner {
 public:
 	PartJoiner(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
@@ -64,8 +58,8 @@ private:
 	{
 		const auto facts = readPart(plan_, tile, folder_);
 		if (!facts)
-			throw AppError(ExitCode::Usage, "Part " + std::to_string(tile) +
-												" was not made yet. Run 'gpremesh tile part'.");
+			failUsage("Part " + std::to_string(tile) +
+					  " was not made yet. Run 'gpremesh tile part'.");
 		if (facts->faceNum == 0) return;
 		requireStamp(folder_.part(tile), facts->mesh);
 		requireStamp(folder_.partNames(tile), facts->names);
@@ -75,11 +69,7 @@ private:
 		faceNum_ += facts->faceNum;
 	}
 
-	void tell(double share)
-	{
-		limit_.check();
-		if (progress_ && !progress_(share, "Joining tiles")) limit_.check();
-	}
+	void tell(double share) { limit_.tell(progress_, share, "Joining tiles"); }
 
 	std::vector<SharedName> namesOf(const PartFile& part) const
 	{

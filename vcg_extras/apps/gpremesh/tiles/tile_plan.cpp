@@ -34,11 +34,6 @@ constexpr int           mostTiles    = 10000;
 /// Number of tiles if neither memory nor a number is given.
 constexpr int usualTileNum = 8;
 
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
 void checkOptions(const RemeshOptions& options)
 {
 	if (options.targetMode == TargetMode::MaxError)
@@ -60,26 +55,12 @@ void checkOptions(const RemeshOptions& options)
 				  "mesh.");
 }
 
-bool sameProperties(const PlyElement& a, const PlyElement& b)
-{
-	if (a.properties.size() != b.properties.size()) return false;
-	for (std::size_t i = 0; i < a.properties.size(); ++i) {
-		const PlyProperty &p = a.properties[i], &q = b.properties[i];
-		if (p.name != q.name || p.type != q.type || p.isList != q.isList ||
-			(p.isList && p.countType != q.countType))
-			return false;
-	}
-	return true;
-}
-
 void checkLayouts(const std::vector<std::string>&     paths,
 				  const std::vector<PlyRecordLayout>& layouts)
 {
 	for (std::size_t i = 1; i < layouts.size(); ++i) {
-		if (sameProperties(layouts[i].vertices(), layouts[0].vertices()) &&
-			sameProperties(layouts[i].faces(), layouts[0].faces()))
-			continue;
-		failInput("'" + paths[i] + "' has other properties than '" + paths[0] + "'.");
+		if (!haveSameProperties(layouts[i], layouts[0]))
+			failInput("'" + paths[i] + "' has other properties than '" + paths[0] + "'.");
 	}
 }
 

@@ -80,8 +80,7 @@ void finish(const CommandLine& line, const TilePlan& plan, const SplitFacts& fac
 			const RunFolder& folder, const Stopwatch& programClock)
 {
 	const auto joined = readRecord(folder.joinRecord(), plan.name);
-	if (!joined)
-		throw AppError(ExitCode::Usage, "The parts were not joined yet. Run 'gpremesh tile join'.");
+	if (!joined) failUsage("The parts were not joined yet. Run 'gpremesh tile join'.");
 	requireStamp(folder.joined(), stampOf(joined->at("mesh")));
 	runRemesh(lastStepOf(line, plan, facts, folder), programClock);
 }
@@ -213,8 +212,7 @@ void stepPart(const CommandLine& line, const RunFolder& folder, const RunLimit& 
 	const SplitFacts facts = readSplit(plan, folder);
 	plan.options.threads   = line.options.threads;
 	if (line.tiles.unit < 0 || line.tiles.unit >= plan.tileNum())
-		throw AppError(ExitCode::Usage, "--unit takes a number from 0 to " +
-											std::to_string(plan.tileNum() - 1) + ".");
+		failUsage("--unit takes a number from 0 to " + std::to_string(plan.tileNum() - 1) + ".");
 	const auto      mayGoOn = [](double, const char*) { return !stopRequested(); };
 	const PartFacts part    = makePart(plan, facts, line.tiles.unit, folder, limit, mayGoOn);
 	Json            json    = stepJson(plan, "part");

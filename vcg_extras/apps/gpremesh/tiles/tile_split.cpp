@@ -179,11 +179,7 @@ private:
 		return layouts;
 	}
 
-	void tell(double share, const char* phrase)
-	{
-		limit_.check();
-		if (progress_ && !progress_(share, phrase)) limit_.check();
-	}
+	void tell(double share, const char* phrase) { limit_.tell(progress_, share, phrase); }
 
 	void readVertices(std::size_t file, std::uint64_t first)
 	{
@@ -473,8 +469,7 @@ SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& 
 SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder)
 {
 	const auto record = readRecord(folder.splitRecord(), plan.name);
-	if (!record)
-		throw AppError(ExitCode::Usage, "The split was not done yet. Run 'gpremesh tile split'.");
+	if (!record) failUsage("The split was not done yet. Run 'gpremesh tile split'.");
 	return factsOf(*record);
 }
 
