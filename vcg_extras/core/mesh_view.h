@@ -78,6 +78,14 @@ struct MeshView {
 	/// The vertex of corner c, which is corner c % 3 of face c / 3.
 	std::int32_t vertexOf(std::size_t c) const { return triangle(c / 3)[c % 3]; }
 
+	/// The unit normal of a face times twice its area.
+	Vec3d faceCross(std::size_t face) const
+	{
+		const std::array<std::int32_t, 3> t = triangle(face);
+		const Vec3d                       a = position(std::size_t(t[0]));
+		return cross(position(std::size_t(t[1])) - a, position(std::size_t(t[2])) - a);
+	}
+
 	/// Whether faces have different labels.
 	bool hasManyRegions() const
 	{

@@ -18,6 +18,12 @@ struct MeshFigures {
 	std::int64_t eulerCharacteristic = 0;
 	double       area                = 0; ///< mesh units squared
 	double       diagonal            = 0; ///< of the bounding box, mesh units
+
+	bool hasTopologyOf(const MeshFigures& other) const
+	{
+		return components == other.components && boundaryLoops == other.boundaryLoops &&
+			   eulerCharacteristic == other.eulerCharacteristic;
+	}
 };
 
 /// Counts of repairs, drops and cuts during cleaning. All zero for a clean mesh.

@@ -187,9 +187,7 @@ MeshFigures measureMesh(const MeshView& mesh)
 		if (isFinite(mesh.position(mesh.vertexOf(i)))) box.add(mesh.position(mesh.vertexOf(i)));
 	figures.diagonal = box.diagonal();
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const auto   t    = mesh.triangle(f);
-		const Vec3d  a    = mesh.position(t[0]);
-		const double area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
+		const double area = 0.5 * length(mesh.faceCross(f));
 		if (std::isfinite(area)) figures.area += area;
 	}
 	return figures;

@@ -170,9 +170,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
 {
 	return workers.sumEach<std::int64_t>(mesh.faceNum(), [&](int f, std::int64_t& num) {
-		const std::int32_t* t = &mesh.triangles[3 * f];
-		const Vec3d         a = mesh.positions[t[0]];
-		const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+		const Vec3d n = mesh.view().faceCross(std::size_t(f));
 		num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
 	});
 }

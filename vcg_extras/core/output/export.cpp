@@ -113,11 +113,8 @@ std::vector<char> turnedFaces(RunContext& run, const Surface& surface)
 	std::vector<char> isTurned(run.input.faceNum, 0);
 	for (int f = 0; f < surface.mesh.faceNum; ++f) {
 		const std::size_t source = std::size_t(surface.sourceFace[f]);
-		const auto        corner = run.input.triangle(source);
-		const Vec3d       a      = run.input.position(std::size_t(corner[0]));
-		const Vec3d       b      = run.input.position(std::size_t(corner[1]));
-		const Vec3d       c      = run.input.position(std::size_t(corner[2]));
-		if (dot(cross(b - a, c - a), Vec3d(surface.mesh.faceCross(f))) < 0) isTurned[source] = 1;
+		if (dot(run.input.faceCross(source), Vec3d(surface.mesh.faceCross(f))) < 0)
+			isTurned[source] = 1;
 	}
 	return isTurned;
 }

@@ -574,10 +574,7 @@ private:
 
 	bool hasTopology(const HalfEdgeMesh& mesh, const MeshFigures& input) const
 	{
-		const MeshFigures figures = figuresOf(mesh, 1, workers_);
-		return figures.components == input.components &&
-			   figures.boundaryLoops == input.boundaryLoops &&
-			   figures.eulerCharacteristic == input.eulerCharacteristic;
+		return figuresOf(mesh, 1, workers_).hasTopologyOf(input);
 	}
 };
 

@@ -102,17 +102,14 @@ private:
 	/// Half and mirrored half together must have the topology of the whole.
 	void requireSameTopology() const
 	{
-		const MeshFigures& whole = surface_.figures;
-		MeshFigures        joined;
+		MeshFigures joined;
 		try {
 			const JoinedHalves both = joinHalves(surface_, found_.plane, half_, {});
 			joined                  = figuresOf(both.result.mesh, 1, run_.workers);
 		}
 		catch (const Failure&) {
 		}
-		if (joined.components == whole.components && joined.boundaryLoops == whole.boundaryLoops &&
-			joined.eulerCharacteristic == whole.eulerCharacteristic)
-			return;
+		if (joined.hasTopologyOf(surface_.figures)) return;
 		throw Failure(Status::BadOptions,
 					  "The surface touches or crosses itself at " + nameOf(found_.plane) +
 						  ", so that its mirrored half would have other components, holes or "

@@ -255,14 +255,6 @@ bool wantsElement(const PlyElement& e, const WantedAttributes& wanted)
 	return e.name == "face" && wantsFaces(e, wanted);
 }
 
-template <class Source>
-void skipElement(const PlyElement& e, Source& source)
-{
-	Record record;
-	for (std::uint64_t r = 0; !e.properties.empty() && r < e.count; ++r)
-		readRecord(e, {}, source, record);
-}
-
 /// Elements after the last wanted element are not read.
 template <class Source>
 void readElements(const PlyHeader& header, const WantedAttributes& wanted, Source source,
@@ -336,14 +328,7 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 		noteLostLists(header, mesh.attributes);
 		mesh.attributes.images = findLines(file.substr(0, header.byteNum), "comment TextureFile ");
 	}
-	const std::string_view body = file.substr(header.byteNum);
-	if (header.format == PlyFormat::Ascii) {
-		readElements(header, wanted, TextSource(body, header.lineNum), mesh);
-	}
-	else {
-		readElements(header, wanted, BinarySource(body, header.format == PlyFormat::LittleEndian),
-					 mesh);
-	}
+	withSource(header, file, [&](auto source) { readElements(header, wanted, source, mesh); });
 	findNames(file.substr(0, header.byteNum), mesh.attributes.ofFaces);
 }
 

@@ -17,53 +17,6 @@ namespace gpr::app {
 
 namespace {
 
-// A source is a BinarySource or a TextSource.
-
-template <class Source>
-std::uint64_t listLength(const PlyProperty& list, Source& source)
-{
-	const std::int64_t num = source.whole(list.countType);
-	if (num < 0) source.fail("a list of negative length");
-	if (std::uint64_t(num) > source.valuesLeft(list.type))
-		source.fail("a list is longer than the rest of the file, which seems to be cut off");
-	return std::uint64_t(num);
-}
-
-template <class Source>
-void skipProperty(const PlyProperty& p, Source& source)
-{
-	if (p.isList) {
-		source.skip(p.type, listLength(p, source));
-	}
-	else {
-		source.skip(p.type);
-	}
-}
-
-/// Steps over records of the same length; false for records of several lengths.
-bool skipRecords(const PlyElement& e, BinarySource& source)
-{
-	if (e.hasList()) return false;
-	source.take(std::size_t(e.count) * e.smallestRecordBytes());
-	return true;
-}
-
-bool skipRecords(const PlyElement&, TextSource&)
-{
-	return false;
-}
-
-/// Steps over an unused element.
-template <class Source>
-void skipElement(const PlyElement& element, Source& source)
-{
-	if (skipRecords(element, source)) return;
-	for (std::uint64_t i = 0; i < element.count; ++i) {
-		for (const PlyProperty& p : element.properties)
-			skipProperty(p, source);
-	}
-}
-
 // ---- vertices
 
 template <class Source, class S>
@@ -172,19 +125,17 @@ void readIndexList(const PlyProperty& list, Source& source, std::vector<std::int
 		i = source.whole(list.type);
 }
 
+/// Reads the corners of a face or strip.
 template <class Source>
-void readFace(const PlyElement& e, int indexList, Source& source, FaceList& faces,
-			  std::vector<std::int64_t>& corners)
+void readCorners(const PlyElement& e, int indexList, Source& source,
+				 std::vector<std::int64_t>& corners)
 {
 	for (int i = 0; i < int(e.properties.size()); ++i) {
-		if (i == indexList) {
+		if (i == indexList)
 			readIndexList(e.properties[i], source, corners);
-		}
-		else {
+		else
 			skipProperty(e.properties[i], source);
-		}
 	}
-	faces.add(corners.data(), corners.size());
 }
 
 /// The layout of a triangle's record that can be copied: a one-byte count of 3, three indices of 32
@@ -238,8 +189,10 @@ void readFaces(const PlyElement& e, Source& source, FaceList& faces)
 	std::vector<std::int64_t> corners;
 	// After the first polygon no block is tried again: its memory would be asked for each time.
 	const std::uint64_t copied = copyTriangles(e, indexList, source, faces.triangles);
-	for (std::uint64_t f = copied; f < e.count; ++f)
-		readFace(e, indexList, source, faces, corners);
+	for (std::uint64_t f = copied; f < e.count; ++f) {
+		readCorners(e, indexList, source, corners);
+		faces.add(corners.data(), corners.size());
+	}
 }
 
 template <class Source>
@@ -248,14 +201,7 @@ void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 	const int                 indexList = findIndexList(e);
 	std::vector<std::int64_t> strip;
 	for (std::uint64_t s = 0; s < e.count; ++s) {
-		for (int i = 0; i < int(e.properties.size()); ++i) {
-			if (i == indexList) {
-				readIndexList(e.properties[i], source, strip);
-			}
-			else {
-				skipProperty(e.properties[i], source);
-			}
-		}
+		readCorners(e, indexList, source, strip);
 		faces.addStrip(strip);
 	}
 }
@@ -362,10 +308,7 @@ InputMesh readPly(std::string_view file)
 {
 	const PlyHeader header = readPlyHeader(file);
 	checkElements(header);
-	const std::string_view body = file.substr(header.byteNum);
-	if (header.format == PlyFormat::Ascii)
-		return readBody(header, TextSource(body, header.lineNum));
-	return readBody(header, BinarySource(body, header.format == PlyFormat::LittleEndian));
+	return withSource(header, file, [&](auto source) { return readBody(header, source); });
 }
 
 InputMesh lookAtPly(std::string_view file)

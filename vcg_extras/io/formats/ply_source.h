@@ -162,6 +162,63 @@ private:
 	std::string_view takeWord();
 };
 
+// A source is a BinarySource or a TextSource.
+
+/// The length of a list; fails for a list longer than the rest of the file.
+template <class Source>
+std::uint64_t listLength(const PlyProperty& list, Source& source)
+{
+	const std::int64_t num = source.whole(list.countType);
+	if (num < 0) source.fail("a list of negative length");
+	if (std::uint64_t(num) > source.valuesLeft(list.type))
+		source.fail("a list is longer than the rest of the file, which seems to be cut off");
+	return std::uint64_t(num);
+}
+
+template <class Source>
+void skipProperty(const PlyProperty& p, Source& source)
+{
+	if (p.isList) {
+		source.skip(p.type, listLength(p, source));
+	}
+	else {
+		source.skip(p.type);
+	}
+}
+
+/// Steps over records of the same length; false for records of several lengths.
+inline bool skipRecords(const PlyElement& e, BinarySource& source)
+{
+	if (e.hasList()) return false;
+	source.take(std::size_t(e.count) * e.smallestRecordBytes());
+	return true;
+}
+
+inline bool skipRecords(const PlyElement&, TextSource&)
+{
+	return false;
+}
+
+/// Steps over an unused element.
+template <class Source>
+void skipElement(const PlyElement& element, Source& source)
+{
+	if (skipRecords(element, source)) return;
+	for (std::uint64_t i = 0; i < element.count; ++i) {
+		for (const PlyProperty& p : element.properties)
+			skipProperty(p, source);
+	}
+}
+
+/// Calls visit(source) for the source of a file's body.
+template <class Visit>
+auto withSource(const PlyHeader& header, std::string_view file, const Visit& visit)
+{
+	const std::string_view body = file.substr(header.byteNum);
+	if (header.format == PlyFormat::Ascii) return visit(TextSource(body, header.lineNum));
+	return visit(BinarySource(body, header.format == PlyFormat::LittleEndian));
+}
+
 } // namespace gpr::app
 
 #endif

@@ -20,12 +20,6 @@ Vec3d corner(const MeshView& mesh, std::int32_t face, int k)
 	return mesh.position(std::size_t(mesh.triangle(std::size_t(face))[std::size_t(k)]));
 }
 
-Vec3d normalOf(const MeshView& mesh, std::int32_t face)
-{
-	const Vec3d a = corner(mesh, face, 0);
-	return cross(corner(mesh, face, 1) - a, corner(mesh, face, 2) - a);
-}
-
 /// The point of a face nearest to p.
 BarycentricPoint nearestOnFace(const MeshView& mesh, std::int32_t face, const Vec3d& p)
 {
@@ -163,8 +157,8 @@ void JoinedPieces::turnAsPiece(std::size_t k, RemeshResult& part) const
 {
 	double agreement = 0;
 	for (std::size_t f = 0; f < part.facePoints.size(); ++f) {
-		const Vec3d made = normalOf(part.mesh.view(), std::int32_t(f));
-		const Vec3d own  = normalOf(piece_[k], part.facePoints[f].face);
+		const Vec3d made = part.mesh.view().faceCross(f);
+		const Vec3d own  = piece_[k].faceCross(std::size_t(part.facePoints[f].face));
 		agreement += dot(made, own) / std::max(1e-300, length(own));
 	}
 	if (agreement >= 0) return;

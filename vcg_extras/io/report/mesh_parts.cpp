@@ -14,16 +14,6 @@ namespace gpr::app {
 
 namespace {
 
-double areaOf(const MeshView& mesh, std::size_t face)
-{
-	const auto   t    = mesh.triangle(face);
-	const Vec3d  a    = mesh.position(std::size_t(t[0]));
-	const Vec3d  b    = mesh.position(std::size_t(t[1])) - a;
-	const Vec3d  c    = mesh.position(std::size_t(t[2])) - a;
-	const double area = 0.5 * length(cross(b, c));
-	return std::isfinite(area) ? area : 0;
-}
-
 void measureJunctions(const MeshView& mesh, const Buffer<EdgeSide>& sides, MeshParts& parts)
 {
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
@@ -63,7 +53,8 @@ void measureRegions(const InputMesh& mesh, const Buffer<EdgeSide>& sides, MeshPa
 		MeshParts::Region& region = byLabel[view.region[f]];
 		++region.faces;
 		region.pieces += first[f] == int(f);
-		region.area += areaOf(view, f);
+		const double area = 0.5 * length(view.faceCross(f));
+		region.area += std::isfinite(area) ? area : 0;
 	}
 	for (auto& [label, region] : byLabel) {
 		region.label = label;

@@ -4,6 +4,7 @@
 
 #include "baseline_remeshers.h"
 
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/base/platform.h>
@@ -96,34 +97,23 @@ void runOnce(const Method& method, Comparison& comparison, MethodRecord& record)
 	if (record.mesh.faceNum() == 0) record.mesh = std::move(out.mesh);
 }
 
-std::int64_t nonManifoldEdgeNum(const MeshView& mesh)
+std::int64_t nonManifoldEdgeNum(const MeshView& mesh, Workers& workers)
 {
-	std::vector<std::uint64_t> edges;
-	edges.reserve(3 * mesh.faceNum);
-	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i) {
-		const auto t = mesh.triangle(i / 3);
-		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-		const auto a = std::uint32_t(t[i % 3]), b = std::uint32_t(t[(i + 1) % 3]);
-		edges.push_back(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b));
-	}
-	std::sort(edges.begin(), edges.end());
-	std::int64_t num = 0;
-	for (std::size_t i = 0; i + 2 < edges.size(); ++i) {
-		const bool first = i == 0 || edges[i - 1] != edges[i];
-		num += first && edges[i] == edges[i + 2];
-	}
+	const auto isUsable = [&](const EdgeSide& side) {
+		const auto t = mesh.triangle(std::size_t(side.halfEdge / 3));
+		return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+	};
+	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
+	std::int64_t           num   = 0;
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		num += std::count_if(sides.begin() + begin, sides.begin() + end, isUsable) > 2;
+	});
 	return num;
 }
 
 MeshRecord recordOf(const MeshView& mesh, Workers& workers)
 {
-	return {measureMesh(mesh), measureQuality(mesh, workers), nonManifoldEdgeNum(mesh)};
-}
-
-bool sameTopology(const MeshFigures& a, const MeshFigures& b)
-{
-	return a.components == b.components && a.boundaryLoops == b.boundaryLoops &&
-		   a.eulerCharacteristic == b.eulerCharacteristic;
+	return {measureMesh(mesh), measureQuality(mesh, workers), nonManifoldEdgeNum(mesh, workers)};
 }
 
 /// A method keeps the topology if the result has the topology of the input or, for an input that is
@@ -131,8 +121,8 @@ bool sameTopology(const MeshFigures& a, const MeshFigures& b)
 bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
 {
 	return result.nonManifoldEdges <= all.input.nonManifoldEdges &&
-		   (sameTopology(result.figures, all.input.figures) ||
-			sameTopology(result.figures, all.cleanedInput));
+		   (result.figures.hasTopologyOf(all.input.figures) ||
+			result.figures.hasTopologyOf(all.cleanedInput));
 }
 
 void measureMethod(const MeshView& input, const MeasuredSurface& target, const CompareRecord& all,

@@ -95,14 +95,11 @@ private:
 
 	std::uint64_t copyLength(const PlyProperty& list)
 	{
-		const std::int64_t num  = source_.whole(list.countType);
-		const std::size_t  bits = 8 * plyTypeSize(list.countType);
-		if (num < 0) source_.fail("a list of negative length");
-		if (std::uint64_t(num) > source_.valuesLeft(list.type))
-			source_.fail("a list is longer than the rest of the file, which seems to be cut off");
-		if (std::uint64_t(num) >> bits != 0) source_.fail("a list is longer than its type allows");
+		const std::uint64_t num  = listLength(list, source_);
+		const std::size_t   bits = 8 * plyTypeSize(list.countType);
+		if (num >> bits != 0) source_.fail("a list is longer than its type allows");
 		appendValue(list.countType, double(num), record_);
-		return std::uint64_t(num);
+		return num;
 	}
 
 	void copyList(const PlyProperty& list)
