@@ -33,7 +33,7 @@ void addPoint(const HalfEdgeMesh& m, int h, Curve& c)
 	c.point.push_back(m.position[m.origin[h]]);
 	c.face.push_back(h / 3);
 	c.arc.push_back(c.length);
-	c.length += length(m.position[m.target(h)] - m.position[m.origin[h]]);
+	c.length += m.edgeLength(h);
 }
 
 Curve traceLoop(const HalfEdgeMesh& m, int first, std::vector<char>& seen)

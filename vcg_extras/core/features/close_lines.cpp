@@ -187,8 +187,7 @@ private:
 		for (int s = first_[c]; s < first_[c + 1]; ++s) {
 			const int   h = halfEdge_[s];
 			const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
-			sum +=
-				length(m_.position[m_.target(h)] - m_.position[m_.origin[h]]) * angleBetween(a, b);
+			sum += m_.edgeLength(h) * angleBetween(a, b);
 		}
 		return sum;
 	}

@@ -28,11 +28,6 @@ constexpr float goOnCosine = 0.5f;
 /// The angle defects of neighbours of a cone apex are at most this share of its own defect.
 constexpr float apexContrast = 0.2f;
 
-float edgeLength(const HalfEdgeMesh& m, int h)
-{
-	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
-}
-
 /// The lines under way: a graph of edges, each named by its smaller half-edge.
 class CreaseGraph {
 public:
@@ -178,7 +173,7 @@ private:
 	Lengths lengthsOf(const std::vector<int>& edges, const IsClear& isClear) const
 	{
 		return workers_.sumEach<Lengths>(edges.size(), [&](int i, Lengths& sum) {
-			const double l = double(edgeLength(m_, edges[i]));
+			const double l = double(m_.edgeLength(edges[i]));
 			sum += {l, isClear(edges[i]) ? l : 0};
 		});
 	}
@@ -193,7 +188,7 @@ private:
 		const int         stride = 1 + m_.halfEdgeNum() / 1000000;
 		const std::size_t num    = std::size_t((m_.halfEdgeNum() + stride - 1) / stride);
 		const double      sum    = workers_.sumEach<double>(
-            num, [&](int i, double& s) { s += double(edgeLength(m_, i * stride)); });
+            num, [&](int i, double& s) { s += double(m_.edgeLength(i * stride)); });
 		return float(sum / double(num));
 	}
 
@@ -236,7 +231,7 @@ private:
 			all.endNum += isFreeEnd(v);
 			forEachOutgoing(m_, v, [&](int h) {
 				if (!m_.isCreaseEdge(h)) return;
-				const double half = 0.5 * double(edgeLength(m_, h)); // seen from both ends
+				const double half = 0.5 * double(m_.edgeLength(h)); // seen from both ends
 				length += half;
 				Extent& next = seen[m_.target(h)];
 				if (next.length >= 0) return;
@@ -357,7 +352,7 @@ private:
 		int              h   = e;
 		while (h >= 0) {
 			chain.push_back(std::min(h, m_.opposite[h]));
-			sum += edgeLength(m_, h);
+			sum += m_.edgeLength(h);
 			if (sum >= rules_.minSpur) return;
 			h = isCreaseNode(m_, m_.target(h)) ? -1 : nextOnCrease(m_, h);
 		}

@@ -75,9 +75,8 @@ private:
 	Buffer<std::uint8_t>     degree_;    ///< per vertex: marked edges, 255 at most
 	std::vector<int>         marked_;    ///< one half of each marked edge, ascending at first
 
-	bool  isFirstHalf(int h) const { return m_.opposite[h] > h; }
-	bool  isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
-	Vec3f along(int h) const { return m_.position[m_.target(h)] - m_.position[m_.origin[h]]; }
+	bool isFirstHalf(int h) const { return m_.opposite[h] > h; }
+	bool isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
 
 	// ---- strength
 
@@ -157,7 +156,8 @@ private:
 	{
 		for (int other : {nextInFace(h), prevInFace(h)}) {
 			if (m_.opposite[other] < 0 || !isSharper(other, h)) continue;
-			const float cosine = dot(normalized(along(h)), normalized(along(other)));
+			const float cosine =
+				dot(normalized(m_.edgeVector(h)), normalized(m_.edgeVector(other)));
 			if (std::abs(cosine) > besideCosine) return false;
 		}
 		return true;
@@ -244,7 +244,7 @@ private:
 		for (;;) {
 			const int next = bestStep(last);
 			if (next < 0) return false;
-			lengthLeft -= length(along(next));
+			lengthLeft -= m_.edgeLength(next);
 			if (lengthLeft < 0) return false;
 			path.push_back(next);
 			if (degree_[m_.target(next)] > 0) return true;
@@ -255,12 +255,12 @@ private:
 	/// The sharpest edge ahead; -1 if no edge ahead is as strong as weakDeg.
 	int bestStep(int last) const
 	{
-		const Vec3f direction = normalized(along(last));
+		const Vec3f direction = normalized(m_.edgeVector(last));
 		float       best      = float(thresholds_.weakDeg) * bridgeCosine;
 		int         step      = -1;
 		forEachOutgoing(m_, m_.target(last), [&](int h) {
 			if (m_.opposite[h] < 0 || out_.edgeStrength[h] < float(thresholds_.weakDeg)) return;
-			const float cosine = dot(direction, normalized(along(h)));
+			const float cosine = dot(direction, normalized(m_.edgeVector(h)));
 			if (cosine < bridgeCosine || sharpness_[h] * cosine <= best) return;
 			best = sharpness_[h] * cosine;
 			step = h;
@@ -292,7 +292,7 @@ private:
 		float lengthLeft = out_.support;
 		for (int h = first; h >= 0; h = nextOnLine(h)) {
 			path.push_back(h);
-			lengthLeft -= length(along(h));
+			lengthLeft -= m_.edgeLength(h);
 			if (lengthLeft < 0) return false;
 			if (degree_[m_.target(h)] > 2) return true;
 		}
@@ -355,7 +355,7 @@ private:
 		float strongest = 0, lineLength = 0;
 		for (int h : line) {
 			strongest = std::max(strongest, sharpness_[h]);
-			lineLength += length(along(h));
+			lineLength += m_.edgeLength(h);
 		}
 		return strongest >= float(thresholds_.strongDeg) && lineLength >= out_.minLength;
 	}
@@ -421,7 +421,7 @@ private:
 	{
 		float distance = 0;
 		for (int h = first; h >= 0; h = nextOnLine(h)) {
-			distance += length(along(h));
+			distance += m_.edgeLength(h);
 			if (!visit(m_.target(h))) return;
 			if (distance >= reach || m_.target(h) == m_.origin[first]) return;
 		}

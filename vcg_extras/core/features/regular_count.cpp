@@ -63,7 +63,7 @@ private:
 			if (at < width && isSharp(exit)) width = at;
 		});
 		if (width >= reach) return;
-		out.push_back({width, length(m_.position[m_.target(h)] - m_.position[m_.origin[h]])});
+		out.push_back({width, m_.edgeLength(h)});
 	}
 };
 

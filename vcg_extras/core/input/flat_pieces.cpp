@@ -20,14 +20,9 @@ constexpr float minWidth = 1e-6f;
 /// Height over length.
 constexpr float minSlope = 1e-3f;
 
-float edgeLength(const HalfEdgeMesh& m, int h)
-{
-	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
-}
-
 float longestEdge(const HalfEdgeMesh& m, int f)
 {
-	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
+	return std::max({m.edgeLength(3 * f), m.edgeLength(3 * f + 1), m.edgeLength(3 * f + 2)});
 }
 
 bool isThin(const HalfEdgeMesh& m, int f)
@@ -229,7 +224,7 @@ private:
 			border = h;
 		}
 		if (borderNum == 2) return true;
-		return borderNum == 1 && edgeLength(m_, border) >= longestEdge(m_, f) &&
+		return borderNum == 1 && m_.edgeLength(border) >= longestEdge(m_, f) &&
 			   isInner(m_.apex(border));
 	}
 

@@ -86,6 +86,9 @@ struct HalfEdgeMesh {
 		return place;
 	}
 
+	Vec3f edgeVector(int h) const { return position[target(h)] - position[origin[h]]; }
+	float edgeLength(int h) const { return length(edgeVector(h)); }
+
 	/// The unit normal times twice the area.
 	Vec3f faceCross(int f) const
 	{

@@ -69,7 +69,7 @@ int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
 {
 	float angle = 0;
 	forEachInSector(m, first, faceNum, [&](int h) {
-		const Vec3f a = m.position[m.target(h)] - m.position[m.origin[h]];
+		const Vec3f a = m.edgeVector(h);
 		const Vec3f b = m.position[m.apex(h)] - m.position[m.origin[h]];
 		angle += angleBetween(a, b);
 	});

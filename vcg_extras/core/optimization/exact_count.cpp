@@ -570,17 +570,14 @@ private:
 		care_ = Care::TopologyOnly;
 		beginRound();
 		reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
-		for (const CountChange& op : borderEdges(true)) {
-			const std::int64_t step = stepOf(op.halfEdge);
-			if (!splitAtBorder(op.halfEdge)) continue;
-			num_ += step;
-			return;
-		}
-		for (const CountChange& op : borderEdges(false)) {
-			const std::int64_t step = stepOf(op.halfEdge);
-			if (!collapseAtBorder(op.halfEdge)) continue;
-			num_ -= step;
-			return;
+		for (const bool toSplit : {true, false}) {
+			for (const CountChange& op : borderEdges(toSplit)) {
+				const std::int64_t step = stepOf(op.halfEdge);
+				if (!(toSplit ? splitAtBorder(op.halfEdge) : collapseAtBorder(op.halfEdge)))
+					continue;
+				num_ += toSplit ? step : -step;
+				return;
+			}
 		}
 	}
 };

@@ -58,7 +58,7 @@ int longestEdgeOf(const HalfEdgeMesh& m, int f)
 	int   longest = 3 * f;
 	float squared = 0;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const float own = squaredLength(m.position[m.target(h)] - m.position[m.origin[h]]);
+		const float own = squaredLength(m.edgeVector(h));
 		if (own <= squared) continue;
 		squared = own;
 		longest = h;

@@ -134,27 +134,34 @@ private:
 		return worst;
 	}
 
-	/// Merges v into one of the two neighbours on the feature line; tries the better neighbour
-	/// first.
+	/// A way to merge a vertex into a neighbour on its curve.
+	struct Way {
+		int   way;
+		float score;
+	};
+
+	/// Tries the ways in turn, the best first.
+	template <class Merge>
+	static bool mergeBest(std::vector<Way> ways, const Merge& tryToMerge)
+	{
+		std::stable_sort(ways.begin(), ways.end(),
+						 [](const Way& a, const Way& b) { return a.score > b.score; });
+		return std::any_of(ways.begin(), ways.end(),
+						   [&](const Way& w) { return w.score > noScore && tryToMerge(w.way); });
+	}
+
+	/// Merges v into one of the two neighbours on the feature line.
 	bool removeOnCrease(int v, const PassRules& rules)
 	{
-		struct Way {
-			int   halfEdge;
-			float score;
-		};
 		std::vector<Way> ways;
 		forEachOutgoing(m_, v, [&](int h) {
 			if (m_.isCreaseEdge(h)) ways.push_back({h, scoreOnCrease(h, rules)});
 		});
-		std::stable_sort(ways.begin(), ways.end(),
-						 [](const Way& a, const Way& b) { return a.score > b.score; });
-		for (const Way& way : ways) {
-			if (way.score <= noScore || !canCollapseAlongCrease(m_, way.halfEdge, scratch_))
-				continue;
-			collapse(m_, way.halfEdge);
+		return mergeBest(std::move(ways), [&](int h) {
+			if (!canCollapseAlongCrease(m_, h, scratch_)) return false;
+			collapse(m_, h);
 			return true;
-		}
-		return false;
+		});
 	}
 
 	/// The worst shape after origin(h) is merged into target(h). Normals are compared face by face,
@@ -190,16 +197,13 @@ private:
 
 	bool removeAtBorder(int v, const PassRules& rules)
 	{
-		float score[2];
-		for (int forward = 0; forward < 2; ++forward)
-			score[forward] = scoreAlongBorder(v, forward != 0, rules);
-		for (int forward : {score[1] >= score[0] ? 1 : 0, score[1] >= score[0] ? 0 : 1}) {
-			if (score[forward] <= noScore) continue;
-			if (!canCollapseAlongBorder(m_, v, forward != 0, scratch_)) continue;
+		const auto merge = [&](int forward) {
+			if (!canCollapseAlongBorder(m_, v, forward != 0, scratch_)) return false;
 			collapseAlongBorder(m_, v, forward != 0);
 			return true;
-		}
-		return false;
+		};
+		return mergeBest(
+			{{1, scoreAlongBorder(v, true, rules)}, {0, scoreAlongBorder(v, false, rules)}}, merge);
 	}
 
 	float scoreAlongBorder(int v, bool forward, const PassRules& rules) const

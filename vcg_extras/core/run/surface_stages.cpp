@@ -134,7 +134,7 @@ bool leavePlace(const Buffer<char>& marks, const Decisions& decisions, const Pro
 	const std::int64_t  num         = decisions.spacedFor();
 	double              along       = 0; // each edge twice
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		if (marks[h]) along += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
+		if (marks[h]) along += double(m.edgeLength(h));
 	}
 	return m.sideNum() * along / 2 <
 		   mostOnLines * double(num) * double(evenEdge(made.surface.area, num));
