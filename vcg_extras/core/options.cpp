@@ -2,46 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 
-#include <cmath>
+#include <initializer_list>
+#include <limits>
 
 namespace gpr {
 
 namespace {
 
-void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
+/// A condition that options must keep, and the sentence if they do not.
+struct Rule {
+	bool        isKept;
+	const char* complaint;
+};
+
+void addComplaints(std::initializer_list<Rule> rules, std::vector<std::string>& complaints)
 {
-	switch (o.targetMode) {
-	case TargetMode::VertexNum:
-		if (o.targetVertexNum < 1 || o.targetVertexNum > 2147483647) {
-			complaints.push_back("The number of vertices must be between 1 and 2147483647.");
-		}
-		break;
-	case TargetMode::FaceNum:
-		if (o.targetFaceNum < 1 || o.targetFaceNum > 2147483647) {
-			complaints.push_back("The number of faces must be between 1 and 2147483647.");
-		}
-		break;
-	case TargetMode::Percent:
-		if (!(o.targetPercent > 0 && o.targetPercent <= 10000)) {
-			complaints.push_back("The percentage must be above 0 and at most 10000.");
-		}
-		break;
-	case TargetMode::EdgeLength:
-		if (!(o.targetEdgeLen > 0 && std::isfinite(o.targetEdgeLen))) {
-			complaints.push_back("The edge length must be a finite number above 0.");
-		}
-		break;
-	case TargetMode::Sizes:
-		break;
-	case TargetMode::Detail:
-		if (o.targetDetail == Detail::None) complaints.push_back("No detail is given.");
-		break;
-	case TargetMode::MaxError:
-		if (!(o.targetMaxError > 0 && std::isfinite(o.targetMaxError))) {
-			complaints.push_back("The largest error must be a finite number above 0.");
-		}
-		break;
-	}
+	for (const Rule& rule : rules)
+		if (!rule.isKept) complaints.push_back(rule.complaint);
 }
 
 bool isWithin(double value, double least, double most)
@@ -49,58 +26,90 @@ bool isWithin(double value, double least, double most)
 	return value >= least && value <= most; // false for NaN
 }
 
+bool isPositive(double value, double most = std::numeric_limits<double>::max())
+{
+	return value > 0 && value <= most;
+}
+
+Rule ruleOfTarget(const RemeshOptions& o)
+{
+	constexpr double mostCount = 2147483647;
+	switch (o.targetMode) {
+	case TargetMode::VertexNum:
+		return {isWithin(double(o.targetVertexNum), 1, mostCount),
+				"The number of vertices must be between 1 and 2147483647."};
+	case TargetMode::FaceNum:
+		return {isWithin(double(o.targetFaceNum), 1, mostCount),
+				"The number of faces must be between 1 and 2147483647."};
+	case TargetMode::Percent:
+		return {isPositive(o.targetPercent, 10000),
+				"The percentage must be above 0 and at most 10000."};
+	case TargetMode::EdgeLength:
+		return {isPositive(o.targetEdgeLen), "The edge length must be a finite number above 0."};
+	case TargetMode::Detail:
+		return {o.targetDetail != Detail::None, "No detail is given."};
+	case TargetMode::MaxError:
+		return {isPositive(o.targetMaxError), "The largest error must be a finite number above 0."};
+	case TargetMode::Sizes:
+		break;
+	}
+	return {true, ""};
+}
+
 void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 {
-	if (!isWithin(o.lambda, 0, 1e6)) {
-		complaints.push_back("Lambda must be between 0 and 1000000.");
-	}
-	if (!isWithin(o.minEdge, 0, 1e300) || !isWithin(o.maxEdge, 0, 1e300))
-		complaints.push_back("The least and the largest edge must be finite numbers, 0 or above.");
 	const bool haveSameUnit = o.minEdgeIsPercent == o.maxEdgeIsPercent;
-	if (haveSameUnit && o.maxEdge > 0 && o.minEdge > o.maxEdge)
-		complaints.push_back("The least edge must not be longer than the largest edge.");
-	if (!isWithin(o.growth, 1.05, 2))
-		complaints.push_back("The growth must be between 1.05 and 2.");
-	if (o.adapt && !isWithin(*o.adapt, 0, 1)) {
-		complaints.push_back("The adaptivity must be between 0 and 1.");
-	}
+	addComplaints(
+		{{isWithin(o.lambda, 0, 1e6), "Lambda must be between 0 and 1000000."},
+		 {isWithin(o.minEdge, 0, 1e300) && isWithin(o.maxEdge, 0, 1e300),
+		  "The least and the largest edge must be finite numbers, 0 or above."},
+		 {!(haveSameUnit && o.maxEdge > 0 && o.minEdge > o.maxEdge),
+		  "The least edge must not be longer than the largest edge."},
+		 {isWithin(o.growth, 1.05, 2), "The growth must be between 1.05 and 2."},
+		 {!o.adapt || isWithin(*o.adapt, 0, 1), "The adaptivity must be between 0 and 1."}},
+		complaints);
 }
 
 void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 {
 	const FeatureThresholds& t = o.featureThresholds;
-	if (!isWithin(o.featureAngleDeg, 5, 175)) {
-		complaints.push_back("The feature angle must be between 5 and 175 degrees.");
-	}
-	if (o.featureDiskScale != 0 && !isWithin(o.featureDiskScale, 0.05, 1)) {
-		complaints.push_back("The feature disk scale must be between 0.05 and 1, or 0.");
-	}
-	if (!(t.support > 0 && t.support <= 100)) {
-		complaints.push_back("The feature support must be above 0 and at most 100 mean edges.");
-	}
-	if (!(t.strongDeg > 0 && t.strongDeg <= 180)) {
-		complaints.push_back("The strong feature angle must be above 0 and at most 180 degrees.");
-	}
-	if (!(t.weakDeg > 0 && t.weakDeg <= t.strongDeg)) {
-		complaints.push_back(
-			"The weak feature angle must be above 0 and at most the strong feature angle.");
-	}
-	if (!isWithin(t.minLength, 0, 1e6)) {
-		complaints.push_back("The least feature length must be between 0 and 1000000 supports.");
-	}
+	addComplaints({{isWithin(o.featureAngleDeg, 5, 175),
+					"The feature angle must be between 5 and 175 degrees."},
+				   {o.featureDiskScale == 0 || isWithin(o.featureDiskScale, 0.05, 1),
+					"The feature disk scale must be between 0.05 and 1, or 0."},
+				   {isPositive(t.support, 100),
+					"The feature support must be above 0 and at most 100 mean edges."},
+				   {isPositive(t.strongDeg, 180),
+					"The strong feature angle must be above 0 and at most 180 degrees."},
+				   {isPositive(t.weakDeg, t.strongDeg),
+					"The weak feature angle must be above 0 and at most the strong feature angle."},
+				   {isWithin(t.minLength, 0, 1e6),
+					"The least feature length must be between 0 and 1000000 supports."}},
+				  complaints);
 }
 
-void checkPeriod(const RemeshOptions& o, std::vector<std::string>& complaints)
+void checkCombinations(const RemeshOptions& o, std::vector<std::string>& complaints)
 {
-	for (const double length : {o.period.x, o.period.y, o.period.z}) {
-		if (isWithin(length, 0, 1e300)) continue;
-		complaints.push_back("The lengths of a periodic cell must be finite numbers, 0 or above.");
-		return;
-	}
-	const bool isOther = o.boundary != BoundaryMode::Resample && o.boundary != BoundaryMode::Match;
-	if (isPeriodic(o) && (isOther || o.selectedOnly)) {
-		complaints.push_back("A periodic cell needs matched borders and the whole surface.");
-	}
+	const auto isLength = [](double length) { return isWithin(length, 0, 1e300); };
+	const bool isOther  = o.boundary != BoundaryMode::Resample && o.boundary != BoundaryMode::Match;
+	const bool areLengths  = isLength(o.period.x) && isLength(o.period.y) && isLength(o.period.z);
+	const bool isMatched   = o.boundary == BoundaryMode::Match || isPeriodic(o);
+	const bool isSymmetric = o.symmetry != Symmetry::Off;
+	addComplaints(
+		{{areLengths, "The lengths of a periodic cell must be finite numbers, 0 or above."},
+		 {!(areLengths && isPeriodic(o) && (isOther || o.selectedOnly)),
+		  "A periodic cell needs matched borders and the whole surface."},
+		 {o.dropComponentsBelow >= 0,
+		  "The least number of faces of a component must not be negative."},
+		 {isWithin(o.timeLimitSeconds, 0, 1e9),
+		  "The time limit must be between 0 and 1000000000 seconds."},
+		 {!(isSymmetric && (o.selectedOnly || isPaper(o))),
+		  "A symmetric result is not possible with the preset paper or for selected faces."},
+		 {!(isSymmetric && (isMatched || keepsJunctions(o))),
+		  "A symmetric result is not possible with matched borders, a periodic cell or kept "
+		  "junctions."},
+		 {isWithin(o.threads, 0, 1024), "The number of threads must be between 0 and 1024."}},
+		complaints);
 }
 
 } // namespace
@@ -154,34 +163,15 @@ double detailError(Detail detail)
 std::vector<std::string> validate(const RemeshOptions& o)
 {
 	std::vector<std::string> complaints;
-	checkTarget(o, complaints);
-	if (o.umbrellaSteps < 0 || o.umbrellaSteps > 1000) {
-		complaints.push_back("The number of umbrella steps must be between 0 and 1000.");
-	}
-	if (o.flipPasses < 0 || o.flipPasses > 1000) {
-		complaints.push_back("The number of flip passes must be between 0 and 1000.");
-	}
+	addComplaints({ruleOfTarget(o),
+				   {isWithin(o.umbrellaSteps, 0, 1000),
+					"The number of umbrella steps must be between 0 and 1000."},
+				   {isWithin(o.flipPasses, 0, 1000),
+					"The number of flip passes must be between 0 and 1000."}},
+				  complaints);
 	checkDensity(o, complaints);
 	checkFeatures(o, complaints);
-	checkPeriod(o, complaints);
-	if (o.dropComponentsBelow < 0) {
-		complaints.push_back("The least number of faces of a component must not be negative.");
-	}
-	if (!isWithin(o.timeLimitSeconds, 0, 1e9)) {
-		complaints.push_back("The time limit must be between 0 and 1000000000 seconds.");
-	}
-	if (o.symmetry != Symmetry::Off && (o.selectedOnly || isPaper(o))) {
-		complaints.push_back("A symmetric result is not possible with the preset paper or for "
-							 "selected faces.");
-	}
-	const bool isMatched = o.boundary == BoundaryMode::Match || isPeriodic(o);
-	if (o.symmetry != Symmetry::Off && (isMatched || keepsJunctions(o))) {
-		complaints.push_back("A symmetric result is not possible with matched borders, a periodic "
-							 "cell or kept junctions.");
-	}
-	if (o.threads < 0 || o.threads > 1024) {
-		complaints.push_back("The number of threads must be between 0 and 1024.");
-	}
+	checkCombinations(o, complaints);
 	return complaints;
 }
 
@@ -189,21 +179,22 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 {
 	std::vector<std::string> sentences;
 	const RemeshOptions      defaults;
-	const bool               hasRegion = asksForFeatureRegion(o);
-	if (o.adapt > 0 && isPaper(o))
-		sentences.push_back("The adaptivity has no effect with the preset paper.");
-	if ((o.minEdge > 0 || o.maxEdge > 0) && isPaper(o))
-		sentences.push_back("The least and the largest edge have no effect with the preset paper.");
-	if (o.junctions == JunctionMode::Keep && isPaper(o))
-		sentences.push_back("Junctions are not kept with the preset paper.");
-	if (o.umbrellaSteps != defaults.umbrellaSteps && !isPaper(o))
-		sentences.push_back("The umbrella steps have no effect without the preset paper.");
-	if (o.flipPasses != defaults.flipPasses && !isPaper(o))
-		sentences.push_back("The number of flip passes has no effect without the preset paper.");
-	if (o.featureDiskScale != defaults.featureDiskScale && !hasRegion)
-		sentences.push_back("The feature disk scale has no effect without a feature region.");
-	if (hasRegion && o.featureDiskScale == 1)
-		sentences.push_back("A feature region has no effect while the feature disk scale is 1.");
+	const bool               isOfPaper = isPaper(o), hasRegion = asksForFeatureRegion(o);
+	addComplaints(
+		{{!(o.adapt > 0 && isOfPaper), "The adaptivity has no effect with the preset paper."},
+		 {!((o.minEdge > 0 || o.maxEdge > 0) && isOfPaper),
+		  "The least and the largest edge have no effect with the preset paper."},
+		 {!(o.junctions == JunctionMode::Keep && isOfPaper),
+		  "Junctions are not kept with the preset paper."},
+		 {o.umbrellaSteps == defaults.umbrellaSteps || isOfPaper,
+		  "The umbrella steps have no effect without the preset paper."},
+		 {o.flipPasses == defaults.flipPasses || isOfPaper,
+		  "The number of flip passes has no effect without the preset paper."},
+		 {o.featureDiskScale == defaults.featureDiskScale || hasRegion,
+		  "The feature disk scale has no effect without a feature region."},
+		 {!(hasRegion && o.featureDiskScale == 1),
+		  "A feature region has no effect while the feature disk scale is 1."}},
+		sentences);
 	return sentences;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters.h"
 
+#include <map>
+#include <utility>
+
 namespace gpr {
 
 namespace {
@@ -19,20 +22,12 @@ std::vector<Parameter> rowsOf(Tool tool)
 
 const std::vector<Parameter>& parametersOf(Tool tool)
 {
-	static const std::vector<Parameter> remesh        = rowsOf(RemeshTool);
-	static const std::vector<Parameter> sampling      = rowsOf(SamplingTool);
-	static const std::vector<Parameter> retriangulate = rowsOf(RetriangulateTool);
-	static const std::vector<Parameter> features      = rowsOf(FeatureTool);
-	switch (tool) {
-	case SamplingTool:
-		return sampling;
-	case RetriangulateTool:
-		return retriangulate;
-	case FeatureTool:
-		return features;
-	default:
-		return remesh;
-	}
+	static const std::map<Tool, std::vector<Parameter>> rows = {
+		{RemeshTool, rowsOf(RemeshTool)},
+		{SamplingTool, rowsOf(SamplingTool)},
+		{RetriangulateTool, rowsOf(RetriangulateTool)},
+		{FeatureTool, rowsOf(FeatureTool)}};
+	return rows.at(tool);
 }
 
 const Parameter* findParameter(const std::string& key, Tool tool)
@@ -72,31 +67,22 @@ RemeshOptions ParameterSet::raw() const
 RemeshOptions ParameterSet::options() const
 {
 	RemeshOptions o = raw();
-	if (o.targetMaxError != 0) {
-		o.targetMode = TargetMode::MaxError;
+	// The first given size counts.
+	const std::pair<bool, TargetMode> sizes[] = {
+		{o.targetMaxError != 0, TargetMode::MaxError},
+		{o.targetDetail != Detail::None, TargetMode::Detail},
+		{o.targetEdgeLen != 0, TargetMode::EdgeLength},
+		{o.targetPercent != 0, TargetMode::Percent},
+		{o.targetFaceNum != 0, TargetMode::FaceNum},
+		{o.targetVertexNum != 0, TargetMode::VertexNum},
+		{o.maxEdge > 0, TargetMode::Sizes}};
+	for (const auto& [isGiven, mode] : sizes) {
+		if (!isGiven) continue;
+		o.targetMode = mode;
+		return o;
 	}
-	else if (o.targetDetail != Detail::None) {
-		o.targetMode = TargetMode::Detail;
-	}
-	else if (o.targetEdgeLen != 0) {
-		o.targetMode = TargetMode::EdgeLength;
-	}
-	else if (o.targetPercent != 0) {
-		o.targetMode = TargetMode::Percent;
-	}
-	else if (o.targetFaceNum != 0) {
-		o.targetMode = TargetMode::FaceNum;
-	}
-	else if (o.targetVertexNum != 0) {
-		o.targetMode = TargetMode::VertexNum;
-	}
-	else if (o.maxEdge > 0) {
-		o.targetMode = TargetMode::Sizes;
-	}
-	else {
-		o.targetMode    = TargetMode::Percent;
-		o.targetPercent = RemeshOptions().targetPercent;
-	}
+	o.targetMode    = TargetMode::Percent;
+	o.targetPercent = RemeshOptions().targetPercent;
 	return o;
 }
 

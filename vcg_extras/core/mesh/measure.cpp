@@ -68,7 +68,7 @@ private:
 /// Fills components, boundaryLoops and eulerCharacteristic.
 void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
-	Workers                workers(0, nullptr);
+	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> edges = sortedSides(mesh, workers);
 	DisjointSets           faces(mesh.faceNum), rim(mesh.vertexNum);
 	std::vector<char>      used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
