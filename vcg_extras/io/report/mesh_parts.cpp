@@ -68,7 +68,7 @@ void measureRegions(const InputMesh& mesh, const Buffer<EdgeSide>& sides, MeshPa
 MeshParts measureParts(const InputMesh& mesh)
 {
 	MeshParts              parts;
-	Workers                workers(0, nullptr);
+	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> sides = sortedSides(mesh.view(), workers);
 	measureJunctions(mesh.view(), sides, parts);
 	measureRegions(mesh, sides, parts);

@@ -202,7 +202,7 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 
 std::vector<Edge> borderEdges(const MeshView& mesh)
 {
-	Workers                workers(0, nullptr);
+	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
 	std::vector<Edge>      border;
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {

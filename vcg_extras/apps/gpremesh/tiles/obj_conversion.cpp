@@ -6,36 +6,22 @@
 #include <vcg_extras/io/formats/obj_lines.h>
 #include <vcg_extras/io/text/text_pieces.h>
 
+#include <set>
+#include <string_view>
+#include <utility>
+
 namespace gpr::app {
 
 namespace {
 
-/// The left-out data, in words.
-struct LostOfObj {
-	bool texture = false, normals = false, materials = false;
-
-	void add(const LostOfObj& other)
-	{
-		texture |= other.texture;
-		normals |= other.normals;
-		materials |= other.materials;
-	}
-	std::string words() const
-	{
-		std::string list;
-		for (const auto& [isLost, word] :
-			 {std::pair(texture, "texture coordinates"), std::pair(normals, "normals"),
-			  std::pair(materials, "materials")}) {
-			if (isLost) list += (list.empty() ? "" : ", ") + std::string(word);
-		}
-		return list;
-	}
-};
+/// The keywords of left-out data, and the data in words.
+constexpr std::pair<std::string_view, const char*> leftOut[] = {
+	{"vt", "texture coordinates"}, {"vn", "normals"}, {"usemtl", "materials"}};
 
 /// Receives the vertices and faces of ObjPiece.
 struct ObjSink {
-	MeshPieceBytes mesh;
-	LostOfObj      lost;
+	MeshPieceBytes             mesh;
+	std::set<std::string_view> keywords; ///< of left-out data
 
 	void addVertex(const std::array<double, 3>& position, Words& behind)
 	{
@@ -46,9 +32,8 @@ struct ObjSink {
 	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
 	void addOther(std::string_view keyword)
 	{
-		lost.texture |= keyword == "vt";
-		lost.normals |= keyword == "vn";
-		lost.materials |= keyword == "usemtl";
+		for (const auto& data : leftOut)
+			if (keyword == data.first) keywords.insert(data.first);
 	}
 };
 
@@ -56,23 +41,25 @@ struct ObjSink {
 
 std::vector<std::string> convertObj(const Conversion& job)
 {
-	TextPieces   text(job.source);
-	MeshSpill    mesh(job.scratch, job.limit);
-	Workers      workers(0, nullptr);
-	LostOfObj    lost;
-	const double all = double(text.bytesLeft());
+	TextPieces                 text(job.source);
+	MeshSpill                  mesh(job.scratch, job.limit);
+	Workers                    workers(0, nullptr);
+	std::set<std::string_view> keywords;
+	const double               all = double(text.bytesLeft());
 	for (std::string_view piece = text.next(); !piece.empty(); piece = text.next()) {
 		job.tell(1 - double(text.bytesLeft()) / all);
 		for (const auto& read : readObjPieces<ObjSink>(piece, mesh.vertexNum(), workers)) {
 			if (read.badPlace != nullptr)
 				failAtObjLine(text.linesBefore() + lineNumber(piece, read.badPlace));
 			mesh.add(read.sink.mesh);
-			lost.add(read.sink.lost);
+			keywords.insert(read.sink.keywords.begin(), read.sink.keywords.end());
 		}
 	}
 	std::vector<std::string> notes = mesh.writePly(job.target);
-	if (!lost.words().empty())
-		notes.push_back("Not carried through tiles from an OBJ file: " + lost.words() + ".");
+	std::string              lost;
+	for (const auto& [keyword, data] : leftOut)
+		if (keywords.count(keyword) > 0) lost += (lost.empty() ? "" : ", ") + std::string(data);
+	if (!lost.empty()) notes.push_back("Not carried through tiles from an OBJ file: " + lost + ".");
 	return notes;
 }
 
