@@ -119,9 +119,10 @@ void copyVertices(const MeshView& input, const UsedVertices& used, Workers& work
 	workers.forEach(input.vertexNum, [&](int v) {
 		if (used[v]) mesh.position[v] = mesh.frame.toWorking(input.position(v));
 	});
-	dropUnusedVertices(mesh, workers);
-	counts.unreferencedVertices =
-		std::int64_t(input.vertexNum) - mesh.vertexNum - counts.nonFiniteVertices;
+	const std::int64_t unused = workers.sumEach<std::int64_t>(
+		input.vertexNum, [&](int v, std::int64_t& n) { n += !used[v]; });
+	if (unused > 0) dropUnusedVertices(mesh, workers);
+	counts.unreferencedVertices = unused - counts.nonFiniteVertices;
 }
 
 bool isSoup(const IndexedMesh& mesh)
