@@ -38,6 +38,16 @@ struct Box {
 	{
 		return std::max(high.x - low.x, std::max(high.y - low.y, high.z - low.z));
 	}
+	/// Squared distance of a point from the box, computed in the type of the point; 0 inside.
+	template <class P>
+	P squaredDistance(const Vec3<P>& p) const
+	{
+		const auto beyond = [](S least, P at, S most) {
+			return std::max({P(least) - at, at - P(most), P(0)});
+		};
+		return squaredLength(Vec3<P>{beyond(low.x, p.x, high.x), beyond(low.y, p.y, high.y),
+									 beyond(low.z, p.z, high.z)});
+	}
 	bool meets(const Box& b) const
 	{
 		return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&

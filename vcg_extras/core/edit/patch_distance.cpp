@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_distance.h"
 
+#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,17 +14,34 @@ namespace gpr {
 
 namespace {
 
-/// Measures distances of points from triangles. Points close to each other in a row are fast: the
-/// last nearest triangle is tried first, and is usually near enough.
+/// Measures distances of points from triangles. Fast for three reasons: the last nearest triangle
+/// is tried first; most points lie over this triangle and near enough, which its plane tells; and
+/// most other triangles are passed over because of their boxes.
 class NearestTriangle {
 public:
-	explicit NearestTriangle(const Triangles& triangles) : triangle_(triangles) {}
+	explicit NearestTriangle(const Triangles& triangles) : triangle_(triangles)
+	{
+		box_.reserve(triangles.size());
+		plane_.reserve(triangles.size());
+		for (const std::array<Vec3f, 3>& t : triangles) {
+			box_.emplace_back(t[0], t[0]);
+			box_.back().add(t[1]);
+			box_.back().add(t[2]);
+			plane_.emplace_back(Corners{t[0], t[1], t[2]});
+		}
+	}
 
-	/// Squared distance from the nearest triangle, or from a triangle that is near enough.
+	/// Squared distance from the nearest triangle, or at most `enough` if a triangle is near
+	/// enough.
 	float squaredDistance(const Vec3f& p, float enough)
 	{
-		float nearest = triangle_.empty() ? HUGE_VALF : squaredFrom(last_, p);
+		++work_;
+		if (triangle_.empty()) return HUGE_VALF;
+		if (plane_[last_].isNearOver(p, enough)) return enough;
+		float nearest = squaredFrom(last_, p);
 		for (std::size_t i = 0; i < triangle_.size() && nearest > enough; ++i) {
+			++work_;
+			if (box_[i].squaredDistance(p) >= nearest) continue;
 			const float squared = squaredFrom(i, p);
 			if (squared >= nearest) continue;
 			nearest = squared;
@@ -31,17 +50,18 @@ public:
 		return nearest;
 	}
 
-	/// The number of distances from single triangles.
+	/// The number of triangles looked at.
 	std::int64_t work() const { return work_; }
 
 private:
-	const Triangles& triangle_;
-	std::size_t      last_ = 0;
-	std::int64_t     work_ = 0;
+	const Triangles&        triangle_;
+	std::vector<Box<float>> box_;   ///< per triangle
+	std::vector<FacePlane>  plane_; ///< per triangle
+	std::size_t             last_ = 0;
+	std::int64_t            work_ = 0;
 
-	float squaredFrom(std::size_t i, const Vec3f& p)
+	float squaredFrom(std::size_t i, const Vec3f& p) const
 	{
-		++work_;
 		const std::array<Vec3f, 3>& t = triangle_[i];
 		return squaredLength(nearestOnTriangle(p, t[0], t[1], t[2]) - p);
 	}

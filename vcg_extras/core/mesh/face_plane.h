@@ -33,9 +33,11 @@ struct Foot {
 class FacePlane {
 public:
 	FacePlane(const HalfEdgeMesh& m, int face) :
-			corner_{m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
-					m.position[m.origin[3 * face + 2]]},
-			cross_(corner_.cross())
+			FacePlane({m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
+					   m.position[m.origin[3 * face + 2]]})
+	{
+	}
+	explicit FacePlane(const Corners& corner) : corner_(corner), cross_(corner_.cross())
 	{
 		const float squared = squaredLength(cross_);
 		inverse_            = squared > 0 ? 1 / squared : 0.0f;
@@ -74,6 +76,12 @@ public:
 	{
 		const float height = dot(p - corner_.a, cross_);
 		return height * height * inverse_;
+	}
+
+	/// Whether p lies over the triangle and no farther off. False for some nearer points beside it.
+	bool isNearOver(const Vec3f& p, float squared) const
+	{
+		return squaredHeight(p) <= squared && footOf(p).isInside();
 	}
 
 private:

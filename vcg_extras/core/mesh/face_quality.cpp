@@ -23,30 +23,6 @@ float largestEdgeRatio(float angle)
 							 2 * float(portable::sin(0.5 * double(angle))));
 }
 
-class PoorFaceTest {
-public:
-	PoorFaceTest(const HalfEdgeMesh& mesh, float angle) : m_(mesh), angle_(angle)
-	{
-		const float ratio = largestEdgeRatio(angle);
-		squaredRatio_     = ratio * ratio;
-	}
-
-	bool operator()(int f) const
-	{
-		if (isDeadFace(m_, f)) return false;
-		const Vec3f a = m_.position[m_.origin[3 * f]], b = m_.position[m_.origin[3 * f + 1]];
-		const Vec3f c  = m_.position[m_.origin[3 * f + 2]];
-		const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
-		const float shortest = std::min({ab, bc, ca}), longest = std::max({ab, bc, ca});
-		return !(shortest > squaredRatio_ * longest) && smallestAngle(a, b, c) < angle_;
-	}
-
-private:
-	const HalfEdgeMesh& m_;
-	float               angle_;
-	float               squaredRatio_;
-};
-
 } // namespace
 
 float smallestAngle(const HalfEdgeMesh& m, int face)
@@ -75,6 +51,27 @@ float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float tu
 		worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
 	});
 	return worst;
+}
+
+PoorFaceTest::PoorFaceTest(const HalfEdgeMesh& mesh, float limit) : m_(mesh), limit_(limit)
+{
+	const float ratio = largestEdgeRatio(limit);
+	squaredRatio_     = ratio * ratio;
+}
+
+bool PoorFaceTest::operator()(int face) const
+{
+	return !isDeadFace(m_, face) && angleOrLimit(face) < limit_;
+}
+
+float PoorFaceTest::angleOrLimit(int face) const
+{
+	const int*  corner = &m_.origin[3 * face];
+	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]], c = m_.position[corner[2]];
+	const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+	const float shortest = std::min({ab, bc, ca}), longest = std::max({ab, bc, ca});
+	if (shortest > squaredRatio_ * longest) return limit_;
+	return std::min(limit_, smallestAngle(a, b, c));
 }
 
 std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)

@@ -22,8 +22,24 @@ float obtuseAngle(const HalfEdgeMesh& m, int face);
 /// the cosine is at most turnCosine.
 float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
 
-/// Finds living faces with a smaller angle than `angle` (radians, at most 60°), ascending. Cost: a
-/// few products a face; computes the angle only if the edge lengths do not decide.
+/// Tests faces for angles below a limit (radians, at most 60°). Cost: a few products a face; the
+/// angle is computed only if the edge lengths do not decide.
+class PoorFaceTest {
+public:
+	PoorFaceTest(const HalfEdgeMesh& mesh, float limit);
+
+	/// Whether a face is alive and has a smaller angle than the limit.
+	bool operator()(int face) const;
+	/// The smallest angle of a face, or the limit if no angle is smaller.
+	float angleOrLimit(int face) const;
+
+private:
+	const HalfEdgeMesh& m_;
+	float               limit_;
+	float squaredRatio_; ///< of shortest over longest edge: no more with such an angle
+};
+
+/// The faces that PoorFaceTest finds, ascending.
 std::vector<int> findPoorFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
 /// The poor faces among the given faces.
 std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vector<int>& faces);

@@ -53,11 +53,23 @@ bool isInverted(const PatchEditor& editor, int f)
 constexpr float angleMargin = 1.06f;
 
 /// The squared lack of the smallest angle; squares give the worst faces the most weight.
-float lackOfAngle(const HalfEdgeMesh& m, int f, float angle)
-{
-	const float lack = shortfall(smallestAngle(m, f) / (angleMargin * angle), 1);
-	return lack * lack;
-}
+class LackOfAngle {
+public:
+	LackOfAngle(const HalfEdgeMesh& m, float angle) :
+			wanted_(angleMargin * angle), isPoor_(m, wanted_)
+	{
+	}
+
+	float operator()(int f) const
+	{
+		const float lack = shortfall(isPoor_.angleOrLimit(f) / wanted_, 1);
+		return lack * lack;
+	}
+
+private:
+	float        wanted_;
+	PoorFaceTest isPoor_;
+};
 
 /// The squared excess of the largest angle, on the scale of lackOfAngle: 1 at 180°.
 float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
@@ -124,8 +136,8 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 {
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
-	goal.isBad          = [&m, angle](int f) { return smallestAngle(m, f) < angle; };
-	goal.faceCost       = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
+	goal.isBad          = PoorFaceTest(m, angle);
+	goal.faceCost       = LackOfAngle(m, angle);
 	goal.operations     = operations;
 	goal.takesFirst     = !changesCount(operations);
 	goal.maxLeft        = changesCount(operations) ? 0.8f : 0.995f;
@@ -147,8 +159,8 @@ Goal largeAngles(LocalSearch& search, float angle, float guardedDistance)
 	const float         largest = asPoorAs(angle);
 	Goal                goal    = smallAngles(search, angle, keepingCount, guardedDistance);
 	goal.isBad                  = [&m, largest](int f) { return obtuseAngle(m, f) > largest; };
-	goal.faceCost               = [&m, angle, largest](int f) {
-        return lackOfAngle(m, f, angle) + excessOfAngle(m, f, largest);
+	goal.faceCost               = [&m, lack = LackOfAngle(m, angle), largest](int f) {
+        return lack(f) + excessOfAngle(m, f, largest);
 	};
 	goal.limits = guardedLimits(Driver::LargeAngles, angle, guardedDistance);
 	return goal;

@@ -69,7 +69,7 @@ void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 		int         face = f;
 		const Vec3f p    = s_.position[*i];
 		// Most vertices lie over the face and near.
-		if (plane.squaredHeight(p) <= gap.squared && plane.footOf(p).isInside()) continue;
+		if (plane.isNearOver(p, gap.squared)) continue;
 		widen(nearestOnTheWay(m_, p, gap.squared, face), p, gap);
 	}
 }

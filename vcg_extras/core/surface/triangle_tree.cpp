@@ -43,14 +43,6 @@ Box<float> roundedOut(const Box<double>& box)
 			{roundedUp(box.high.x), roundedUp(box.high.y), roundedUp(box.high.z)}};
 }
 
-double squaredDistanceToBox(const Vec3d& p, const Box<float>& box)
-{
-	const double x = std::max({double(box.low.x) - p.x, p.x - double(box.high.x), 0.0});
-	const double y = std::max({double(box.low.y) - p.y, p.y - double(box.high.y), 0.0});
-	const double z = std::max({double(box.low.z) - p.z, p.z - double(box.high.z), 0.0});
-	return x * x + y * y + z * z;
-}
-
 /// A face during the ordering.
 struct Placed {
 	float        centre[3]; ///< times three
@@ -258,14 +250,14 @@ void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 	const std::size_t firstLeaf = (std::size_t(1) << depth_) - 1;
 	Waiting           stack[maxDepth];
 	int               num = 0;
-	stack[num++]          = {0, squaredDistanceToBox(p, node_[0])};
+	stack[num++]          = {0, node_[0].squaredDistance(p)};
 	while (num > 0) {
 		const Waiting next = stack[--num];
 		if (!mayHoldBetter(next.squared)) continue;
 		std::size_t node = next.node;
 		while (node < firstLeaf) {
-			Waiting near = {2 * node + 1, squaredDistanceToBox(p, node_[2 * node + 1])};
-			Waiting far  = {2 * node + 2, squaredDistanceToBox(p, node_[2 * node + 2])};
+			Waiting near = {2 * node + 1, node_[2 * node + 1].squaredDistance(p)};
+			Waiting far  = {2 * node + 2, node_[2 * node + 2].squaredDistance(p)};
 			if (far.squared < near.squared) std::swap(near, far);
 			if (mayHoldBetter(far.squared)) stack[num++] = far;
 			if (!mayHoldBetter(near.squared)) break;
