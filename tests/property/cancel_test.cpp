@@ -7,7 +7,9 @@
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/core/remesh.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <string>
 #include <thread>
@@ -104,6 +106,64 @@ TEST_P(CancelAfter, ARandomTimeEndsSoonWithNothingHandedOut)
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CancelAfter, ::testing::ValuesIn(testSeeds(8)));
+
+/// Processor time of a run, in seconds; other programs do not lengthen it.
+struct ProcessorTime {
+	double      whole   = 0;
+	double      unasked = 0; ///< the longest time between two questions whether to go on
+	std::string where;       ///< the phrase after this time
+};
+
+ProcessorTime processorTimeOf(const TriangleMesh& mesh, RemeshOptions options)
+{
+	options.threads = 1; // the clock counts all threads
+	ProcessorTime      time;
+	const std::clock_t start = std::clock();
+	std::clock_t       last  = start;
+	const auto         note  = [&](const char* phrase) {
+        const std::clock_t now = std::clock();
+        const double       own = double(now - last) / CLOCKS_PER_SEC;
+        if (own > time.unasked) {
+            time.unasked = own;
+            time.where   = phrase;
+        }
+        last = now;
+	};
+	const RemeshResult r = remesh(mesh.view(), options, [&](double, const char* phrase) {
+		note(phrase);
+		return true;
+	});
+	note("the end");
+	EXPECT_EQ(r.status, Status::Ok) << r.message;
+	time.whole = double(last - start) / CLOCKS_PER_SEC;
+	return time;
+}
+
+/// No stage works long without a question whether to go on. The share of the run is for builds
+/// without optimization.
+TEST(Cancel, IsAskedForInAllStages)
+{
+	constexpr double longest = 0.2, share = 0.02;
+	Random           random(1);
+	RemeshOptions    closer = someOptions();
+	closer.targetMode       = TargetMode::MaxError;
+	closer.targetMaxError   = 2e-3;
+	RemeshOptions fewer     = someOptions();
+	fewer.targetPercent     = 10;
+	const auto isNoHole     = [](int i, int j) { return i % 3 != 1 || j % 3 != 1; };
+	const struct {
+		const char*          name;
+		TriangleMesh         mesh;
+		const RemeshOptions& options;
+	} runs[] = {{"10,000 holes", gridWhere(300, 1, isNoHole), fewer},
+				{"walls in contact", noisySphere(6, 0.03, random), fewer},
+				{"a largest distance", icosphere(6), closer}};
+	for (const auto& run : runs) {
+		const ProcessorTime time = processorTimeOf(run.mesh, run.options);
+		EXPECT_LE(time.unasked, std::max(longest, share * time.whole))
+			<< run.name << ", before " << time.where << ", of " << time.whole;
+	}
+}
 
 TEST(Cancel, StopsTheSamplingAndTheRetriangulationToo)
 {

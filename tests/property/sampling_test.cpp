@@ -257,7 +257,7 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 	const Surface        surface   = surfaceOf(icosphere(5), workers);
 	const float          r         = 0.05f;
 	const OctreeBlocks   partition = cutIntoBlocks(surface, 12 * r, workers);
-	const BoundaryCurves boundary  = sampleBoundary(surface, r, r);
+	const BoundaryCurves boundary  = sampleBoundary(surface, r, r, workers);
 	const Sampling       s         = sampleFront(surface, boundary, partition, r, 1, workers);
 	EXPECT_FALSE(s.capped);
 	EXPECT_EQ(s.boundarySampleNum, 0);
@@ -285,7 +285,7 @@ TEST(SampleFront, CoversEveryVertexAmongBumpsAndNeedles)
 		 {noisySphere(5, 0.2, random), noisySphere(5, 0.5, random), openCylinder(6, 400, 0.5, 1)}) {
 		const Surface surface = surfaceOf(mesh, workers);
 		for (float r : {0.03f, 0.08f}) {
-			const BoundaryCurves boundary  = sampleBoundary(surface, r, r);
+			const BoundaryCurves boundary  = sampleBoundary(surface, r, r, workers);
 			const OctreeBlocks   partition = cutIntoBlocks(surface, 12 * r, workers);
 			const Sampling       s = sampleFront(surface, boundary, partition, r, 1, workers);
 			for (int v = 0; v < surface.mesh.vertexNum; ++v) {

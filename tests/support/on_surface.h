@@ -27,7 +27,7 @@ struct OnSurface {
 	{
 		result        = resultOf(surface, boundary);
 		const float r = result.idealEdge / 1.04f;
-		boundary      = sampleBoundary(surface, r, result.idealEdge);
+		boundary      = sampleBoundary(surface, r, result.idealEdge, workers);
 		result        = resultOf(surface, boundary);
 	}
 

@@ -66,7 +66,7 @@ struct Sampled {
 	Sampled(const TriangleMesh& mesh, float radius, std::uint32_t seed, float sizeAbove = 1,
 			float sizeBelow = 1) :
 			surface(surfaceOf(mesh, workers)),
-			boundary(sampleBoundary(surface, radius, radius))
+			boundary(sampleBoundary(surface, radius, radius, workers))
 	{
 		if (sizeAbove != 1) setSizes(sizeAbove, sizeBelow);
 		BorderEdgeOptions options;

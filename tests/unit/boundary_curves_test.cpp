@@ -25,7 +25,7 @@ protected:
 	void sample(const TriangleMesh& mesh, float spacing)
 	{
 		surface = surfaceOf(mesh, workers);
-		b       = sampleBoundary(surface, spacing / 1.04f, spacing);
+		b       = sampleBoundary(surface, spacing / 1.04f, spacing, workers);
 	}
 	std::vector<CurveSample> samplesOf(int curve) const
 	{
@@ -84,7 +84,7 @@ TEST_F(SampleBoundary, LinesBetweenTheSameNodesHaveTwoEdgesAtLeast)
 	rules.mode      = FeatureMode::Lines;
 	rules.strongDeg = 60;
 	ASSERT_EQ(markCreases(rules, workers, surface).edgeNum, 3 * 24);
-	b = sampleBoundary(surface, 4, 4);
+	b = sampleBoundary(surface, 4, 4, workers);
 	ASSERT_EQ(b.curves.size(), 3u);
 	int onLines = 0;
 	for (const CurveSample& s : b.samples)

@@ -32,7 +32,7 @@ protected:
 		rules.mode      = FeatureMode::Lines;
 		rules.strongDeg = 60;
 		markCreases(rules, workers, surface);
-		curves = sampleBoundary(surface, 0.5f, 0.5f);
+		curves = sampleBoundary(surface, 0.5f, 0.5f, workers);
 		result = resultOf(surface, curves);
 		ASSERT_TRUE(result.mesh.hasCreases());
 	}

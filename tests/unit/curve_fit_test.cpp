@@ -31,7 +31,7 @@ struct Laid {
 	Laid(const TriangleMesh& fine, const TriangleMesh& coarse) : surface(surfaceOf(fine, workers))
 	{
 		markRims(surface);
-		curves = sampleBoundary(surface, 0.5f, 0.5f);
+		curves = sampleBoundary(surface, 0.5f, 0.5f, workers);
 
 		TriangleMesh laid = coarse;
 		for (Vec3d& p : laid.positions)

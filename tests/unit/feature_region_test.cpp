@@ -108,7 +108,7 @@ TEST_F(KeptOnCurves, OnTheBorderAndInside)
 			if (s.frame.toCaller(s.mesh.position[v]).x < 0.1) kept.push_back(v); // two columns
 		}
 		ASSERT_EQ(kept.size(), 26u);
-		expectKept(s, kept, sampleBoundary(s, spacing / 1.04f, spacing, {}, kept));
+		expectKept(s, kept, sampleBoundary(s, spacing / 1.04f, spacing, workers, {}, kept));
 	}
 }
 
@@ -124,13 +124,13 @@ TEST_F(KeptOnCurves, OnFeatureLinesTheirNodesAndTips)
 	for (int v = 0; v < s.mesh.vertexNum; v += 2)
 		all.push_back(v);
 	const std::vector<int> coneApexes = {all[3]};
-	expectKept(s, all, sampleBoundary(s, 0.2f, 0.2f, coneApexes, all));
+	expectKept(s, all, sampleBoundary(s, 0.2f, 0.2f, workers, coneApexes, all));
 }
 
 TEST_F(KeptOnCurves, NoneChangesNothing)
 {
 	const Surface        s = surfaceOf(grid(12, 12), workers);
-	const BoundaryCurves b = sampleBoundary(s, 0.2f, 0.2f);
+	const BoundaryCurves b = sampleBoundary(s, 0.2f, 0.2f, workers);
 	for (const CurveSample& sample : b.samples)
 		EXPECT_FALSE(sample.isPinned);
 }

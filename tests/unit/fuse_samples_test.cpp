@@ -162,7 +162,7 @@ TEST_F(FuseSamples, ManyToAFaceAllBecomeVertices)
 TEST_F(FuseSamples, OfTheBorderBecomeItsVerticesAlone)
 {
 	begin(openCylinder(24, 6, 1, 1));
-	boundary                    = sampleBoundary(surface, 0.3f, 0.31f);
+	boundary                    = sampleBoundary(surface, 0.3f, 0.31f, workers);
 	sampling.boundarySampleNum  = int(boundary.samples.size());
 	const int boundarySampleNum = sampling.boundarySampleNum;
 	ASSERT_GT(boundarySampleNum, 10);

@@ -68,7 +68,7 @@ TEST(FuseBoundary, MakesEverySampleABorderVertexAtItsPlace)
 	for (const TriangleMesh& mesh : {squareFrame(12, 4), openCylinder(24, 5, 0.5, 1), grid(2, 2)}) {
 		const Surface surface = surfaceOf(mesh, workers);
 		for (float spacing : {0.013f, 0.1f, 0.4f}) {
-			const BoundaryCurves boundary = sampleBoundary(surface, spacing, spacing);
+			const BoundaryCurves boundary = sampleBoundary(surface, spacing, spacing, workers);
 			FusedMesh            fused    = beginFusion(surface, workers);
 			fuseBoundary(boundary, fused);
 			ASSERT_EQ(fused.sampleVertex.size(), boundary.samples.size());

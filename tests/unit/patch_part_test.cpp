@@ -24,9 +24,9 @@ struct Sheet {
 	ResultMesh result  = resultOf(surface, BoundaryCurves());
 	FaceBoxes  tree{result.mesh, workers};
 
-	PatchPart partRound(int face) const
+	PatchPart partRound(int face)
 	{
-		return cutPart(result, tree, widened(result.mesh, {face}, 1));
+		return cutPart(result, tree, widened(result.mesh, {face}, 1), workers);
 	}
 
 	/// A part round a face, filled with its own faces.

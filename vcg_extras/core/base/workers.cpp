@@ -244,11 +244,18 @@ void Workers::enterStage(const char* phrase, double from, double to)
 	poll(0);
 }
 
+void Workers::pollFrom(int worker)
+{
+	if (worker > 0)
+		pool_->pollAside();
+	else
+		poll();
+}
+
 void Workers::poll(double share)
 {
 	Pool& p = *pool_;
-	if (p.asked != nullptr && p.asker > 0) return p.asked->pool_->pollAside();
-	if (p.asked != nullptr) return p.asked->poll();
+	if (p.asked != nullptr) return p.asked->pollFrom(p.asker);
 	if (p.stopRequest != nullptr && *p.stopRequest) throw CancelledError();
 	if (!p.progress && !p.isLimited) return;
 	const Clock::time_point now = Clock::now();

@@ -153,6 +153,8 @@ public:
 	/// OutOfTimeError. For long serial loops in the calling thread, or in tasks with Workers of
 	/// their own. share: of the stage's work.
 	void poll(double share = 0);
+	/// poll() for thread `worker` of a loop, within a long task.
+	void pollFrom(int worker);
 
 private:
 	struct Pool;

@@ -237,9 +237,10 @@ struct Mark {
 class CurveSampler {
 public:
 	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing,
-				 const std::vector<int>& kept, BoundaryMode border, BoundaryCurves& out) :
+				 const std::vector<int>& kept, BoundaryMode border, BoundaryCurves& out,
+				 Workers& workers) :
 			m_(mesh),
-			out_(out), border_(border), diskRadius_(diskRadius)
+			out_(out), workers_(workers), border_(border), diskRadius_(diskRadius)
 	{
 		wanted_.chord = spacing;
 		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
@@ -302,6 +303,7 @@ public:
 		marks_.push_back({0, nodeSample(c.vertex.front(), c, 0)});
 		const int pieceNum = int(stops.size()) - 1;
 		for (int i = 0; i < pieceNum; ++i) {
+			workers_.poll();
 			if (i > 0) put(c, stops[i], true);
 			const int steps = std::max(1, minSteps - pieceNum + 1);
 			for (float s : spaceOut(c, stops[i], stops[i + 1], wanted_, steps))
@@ -325,6 +327,7 @@ public:
 private:
 	const HalfEdgeMesh&            m_;
 	BoundaryCurves&                out_;
+	Workers&                       workers_;
 	BoundaryMode                   border_;
 	float                          diskRadius_;
 	CurveSpacing                   wanted_;
@@ -358,6 +361,7 @@ private:
 
 	const Curve& begin(int index)
 	{
+		workers_.poll();
 		index_       = index;
 		firstSample_ = out_.samples.size();
 		marks_.clear();
@@ -465,6 +469,7 @@ private:
 			const float from = stops[i];
 			const float to   = i + 1 < n ? stops[i + 1] : stops[0] + c.length;
 			put(c, from, hasCorners);
+			workers_.poll();
 			for (float s : spaceOut(c, from, to, wanted_, minSteps))
 				put(c, s, false);
 		}
@@ -518,6 +523,7 @@ private:
 		for (std::size_t k = 0; k < stops.size(); ++k) {
 			const int from = stops[k];
 			const int to   = k + 1 < stops.size() ? stops[k + 1] : stops[0] + c.pointNum();
+			workers_.poll();
 			put(c, c.arc[from], true);
 			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
 			out_.samples.back().point.position = c.point[from];
@@ -671,17 +677,19 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
 }
 
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& coneApexes, const std::vector<int>& kept,
-							  BoundaryMode border, bool sharesBorders)
+							  Workers& workers, const std::vector<int>& coneApexes,
+							  const std::vector<int>& kept, BoundaryMode border, bool sharesBorders)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
 	result.curves             = traceCurves(m);
 	const ChainEnds chainEnds = countChainEnds(result.curves);
 
+	workers.poll();
 	for (Curve& c : result.curves)
 		addSizes(surface, c);
-	CurveSampler sampler(m, diskRadius, spacing, kept, border, result);
+	workers.poll();
+	CurveSampler sampler(m, diskRadius, spacing, kept, border, result, workers);
 	if (border == BoundaryMode::Smooth) {
 		const bool          isAlone = !sharesBorders;
 		const SharedBorders before(m, isAlone ? std::vector<Curve>() : result.curves);

@@ -60,7 +60,7 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 /// at the same place get their samples once (see shared_borders.h). With Keep they share their
 /// samples anyway. Cost: linear in the curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& coneApexes    = {},
+							  Workers& workers, const std::vector<int>& coneApexes = {},
 							  const std::vector<int>& kept          = {},
 							  BoundaryMode            border        = BoundaryMode::Resample,
 							  bool                    sharesBorders = false);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -33,7 +34,7 @@ constexpr float reachInside = 2;
 class LocalCells {
 public:
 	LocalCells(const Surface& surface, const ResultMesh& result, const std::vector<PatchRole>& role,
-			   float reach, std::size_t mostReached) :
+			   float reach, std::size_t mostReached, Workers& workers) :
 			m_(surface.mesh),
 			mostReached_(mostReached)
 	{
@@ -47,7 +48,7 @@ public:
 			for (int h = 3 * at.face; h < 3 * at.face + 3; ++h)
 				push(length(m_.position[m_.origin[h]] - at.position), m_.origin[h], int(v));
 		}
-		run(most);
+		run(most, workers);
 	}
 
 	int                     labelOf(int v) const { return label_.at(v); }
@@ -72,9 +73,11 @@ private:
 
 	void push(float distance, int vertex, int label) { front_.push({distance, vertex, label}); }
 
-	void run(const std::vector<float>& most)
+	void run(const std::vector<float>& most, Workers& workers)
 	{
+		Poller poller(workers);
 		while (!front_.empty() && reached_.size() <= mostReached_) {
+			poller.count();
 			const Entry e = front_.top();
 			front_.pop();
 			// A vertex too far from its nearest vertex of the result belongs to no cell, so that no
@@ -167,9 +170,11 @@ public:
 	}
 
 	/// Stops above `most` vertices.
-	void run(std::size_t most)
+	void run(std::size_t most, Workers& workers)
 	{
-		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0) {}
+		do
+			workers.poll();
+		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0);
 	}
 
 private:
@@ -280,9 +285,9 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 							 const std::vector<PatchRole>& role, float reach, Workers& workers)
 {
 	const std::size_t most = mostVerticesFor(role);
-	PatchInput        local =
-		Extraction(surface.mesh, LocalCells(surface, result, role, reach, most)).run();
-	PatchSubdivision(result.mesh, role, local).run(most);
+	const LocalCells  cells(surface, result, role, reach, most, workers);
+	PatchInput        local = Extraction(surface.mesh, cells).run();
+	PatchSubdivision(result.mesh, role, local).run(most, workers);
 	local.share     = double(local.mesh.vertexNum) / double(most);
 	local.isTooMuch = local.share > 1;
 	if (!local.isTooMuch) findLabels(result.mesh, role, local, workers);

@@ -20,12 +20,14 @@ constexpr float nearPatch = 0.5f;
 
 /// Faces of the whole near some faces, without faces of the part.
 std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
-						   const std::vector<int>& faces, const std::vector<int>& ofPart)
+						   const std::vector<int>& faces, const std::vector<int>& ofPart,
+						   Workers& workers)
 {
 	const float      distance = nearPatch * whole.idealEdge;
 	const Vec3f      margin(distance, distance, distance);
 	std::vector<int> found;
 	for (int f : faces) {
+		workers.poll();
 		const Box<float> box = boxOfFace(whole.mesh, f);
 		tree.forEachMeeting({box.low - margin, box.high + margin}, [&](int place) {
 			const int g = tree.face(place);
@@ -33,8 +35,7 @@ std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 			return true;
 		});
 	}
-	std::sort(found.begin(), found.end());
-	found.erase(std::unique(found.begin(), found.end()), found.end());
+	sortUnique(found);
 	return found;
 }
 
@@ -122,14 +123,17 @@ std::vector<int> PatchPart::inWhole(const std::vector<char>& marked) const
 	return faces;
 }
 
-PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces)
+PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces,
+				  Workers& workers)
 {
 	PatchPart              part;
 	const std::vector<int> inner = widened(whole.mesh, faces, ringsOfPart - 1);
 	part.face                    = widened(whole.mesh, inner, 1);
 	const int  partNum           = int(part.face.size());
-	const auto near = facesNear(whole, tree, widened(whole.mesh, faces, ringsChanged), part.face);
+	const auto near =
+		facesNear(whole, tree, widened(whole.mesh, faces, ringsChanged), part.face, workers);
 	part.face.insert(part.face.end(), near.begin(), near.end());
+	workers.poll();
 	PartMesh(whole, partNum, part).run();
 	for (std::size_t f = 0; f < part.face.size(); ++f) {
 		const bool isInner = std::binary_search(inner.begin(), inner.end(), part.face[f]);

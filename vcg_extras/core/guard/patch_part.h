@@ -34,7 +34,8 @@ struct PatchPart {
 /// Cuts out the faces of a patch with some rings round the faces. Faces of the whole that are near
 /// only in space are added unconnected, so that new faces do not touch them. tree: of the whole.
 /// Cost: linear in the part.
-PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces);
+PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces,
+				  Workers& workers);
 
 /// A filled patch, and the faces of the whole to replace.
 struct FilledPart {

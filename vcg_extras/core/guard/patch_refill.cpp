@@ -76,9 +76,11 @@ public:
 		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
 		if (local_.isTooMuch) return false;
 		cleanLabels(local_.mesh, role_, local_.label);
+		workers_.poll();
 		blameWideCells();
 		nameVertices();
 		collectTriangles();
+		workers_.poll();
 		return culprits_.empty() && link() && areFansWhole();
 	}
 

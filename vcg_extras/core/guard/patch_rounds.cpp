@@ -18,10 +18,12 @@ namespace {
 constexpr int roundNum = 4;
 /// Most tries of a patch.
 constexpr int mostTries = 8;
-/// Largest share of a component in a patch: beyond, making the whole component anew is as good.
-constexpr double mostOfComponent = 0.75;
-/// Most looks at vertices of the working surface, over the number of its faces.
-constexpr double mostWork = 20;
+/// Largest share of a component in a patch: beyond, making the whole component anew is as good. A
+/// patch that has failed would soon grow to such a share.
+constexpr double mostOfComponent = 0.75, mostAfterFailure = 0.5;
+/// Most looks at vertices of the working surface by tries that fail, over the number of its faces.
+/// Tries that succeed look at each vertex a few times at most.
+constexpr double mostLostWork = 2;
 
 /// A patch by the corners of its faces; corners keep their names while other patches are filled.
 struct Patch {
@@ -71,7 +73,7 @@ private:
 	std::vector<char>       isLost_; ///< per vertex: in a patch that was given up
 	std::vector<Patch>      waiting_;
 	PatchOutcome            outcome_;
-	double                  work_ = 0;
+	double                  lostWork_ = 0;
 
 	void findPatches(const std::vector<FacePair>& pairs, int rings)
 	{
@@ -132,14 +134,17 @@ private:
 		return faces;
 	}
 
-	double mostWorkHere() const { return mostWork * double(making_.surface.mesh.faceNum); }
+	bool isExhausted() const
+	{
+		return lostWork_ > mostLostWork * double(making_.surface.mesh.faceNum);
+	}
 
 	/// Makes turns until no patch waits.
 	void fillAll()
 	{
 		while (!waiting_.empty()) {
 			workers_.poll();
-			if (work_ > mostWorkHere()) {
+			if (isExhausted()) {
 				outcome_.isCapped = true;
 				waiting_.clear();
 				return;
@@ -180,11 +185,12 @@ private:
 		std::vector<std::vector<int>> faces;
 		std::vector<char>             isTaken(std::size_t(result_.mesh.faceNum), 0);
 		const Components              components = findComponents(result_.mesh, workers_);
-		const std::vector<int>        most       = mostFaces(components);
+		const std::vector<int>        faceNum    = faceNumOf(components);
 		for (Patch& patch : waiting_) {
 			std::vector<int> own = facesOf(patch);
 			if (own.empty()) continue;
-			if (areMost(own, components, most) || patch.tries >= mostTries) {
+			const double share = patch.tries == 0 ? mostOfComponent : mostAfterFailure;
+			if (areMost(own, components, share, faceNum) || patch.tries >= mostTries) {
 				giveUp(patch);
 				continue;
 			}
@@ -211,33 +217,31 @@ private:
 			isLost_[std::size_t(v)] = 1;
 	}
 
-	/// Per component: most faces in a patch.
-	static std::vector<int> mostFaces(const Components& components)
+	/// Per component.
+	static std::vector<int> faceNumOf(const Components& components)
 	{
 		std::vector<int> num(std::size_t(components.num), 0);
 		for (int c : components.ofFace)
 			++num[std::size_t(c)];
-		for (int& n : num)
-			n = int(mostOfComponent * n);
 		return num;
 	}
 
-	/// Whether a patch has too many faces of a component.
-	static bool areMost(const std::vector<int>& faces, const Components& components,
-						const std::vector<int>& most)
+	/// Whether a patch has more than a share of the faces of a component.
+	static bool areMost(const std::vector<int>& faces, const Components& components, double share,
+						const std::vector<int>& faceNum)
 	{
 		std::map<int, int> numOf;
 		for (int f : faces)
 			++numOf[components.ofFace[std::size_t(f)]];
 		return std::any_of(numOf.begin(), numOf.end(), [&](const std::pair<const int, int>& num) {
-			return num.second > most[std::size_t(num.first)];
+			return num.second > int(share * faceNum[std::size_t(num.first)]);
 		});
 	}
 
 	void fillOne(const FaceBoxes& tree, const std::vector<int>& faces, int triesBefore,
 				 Workers& inner, Try& out) const
 	{
-		PatchPart         part = cutPart(result_, tree, faces);
+		PatchPart         part = cutPart(result_, tree, faces, inner);
 		std::vector<char> marked;
 		for (int f : part.face)
 			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
@@ -290,7 +294,7 @@ private:
 		std::vector<FilledPart> filled;
 		std::vector<char>       isTaken(std::size_t(result_.mesh.faceNum), 0);
 		for (std::size_t i = 0; i < tries.size(); ++i) {
-			work_ += tries[i].work;
+			if (!tries[i].isFilled) lostWork_ += tries[i].work;
 			if (tries[i].isFilled && claim(tries[i].filled.replaced, isTaken)) {
 				filled.push_back(std::move(tries[i].filled));
 				continue;

@@ -362,12 +362,12 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 	return {};
 }
 
-BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,
+BoundaryCurves sampleCurves(RunContext& run, const Decisions& decisions, float radius,
 							const Products& made)
 {
-	return sampleBoundary(made.surface, radius, borderSpacing * radius, made.lines.found.coneApexes,
-						  made.sizes.kept, borderMode(run.options, decisions),
-						  made.surface.sharesBorders());
+	return sampleBoundary(made.surface, radius, borderSpacing * radius, run.workers,
+						  made.lines.found.coneApexes, made.sizes.kept,
+						  borderMode(run.options, decisions), made.surface.sharesBorders());
 }
 
 } // namespace gpr

@@ -47,7 +47,7 @@ std::int64_t wholeNum(const HalfEdgeMesh& mesh, const Samples& samples, std::siz
 }
 
 /// Samples borders and feature lines for disks of a radius, working units.
-BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,
+BoundaryCurves sampleCurves(RunContext& run, const Decisions& decisions, float radius,
 							const Products& made);
 
 } // namespace gpr

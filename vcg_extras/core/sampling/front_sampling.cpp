@@ -88,8 +88,8 @@ struct SharedState {
 /// Samples blocks in turn; each thread has its own sampler.
 class BlockSampler {
 public:
-	explicit BlockSampler(SharedState& shared) :
-			shared_(shared), m_(shared.surface.mesh),
+	BlockSampler(SharedState& shared, Workers& workers, int worker) :
+			shared_(shared), workers_(workers), worker_(worker), m_(shared.surface.mesh),
 			flood_(shared.surface, shared.field, shared.radius), r_(shared.radius),
 			nearLimit_((1 - spacingSlack) * shared.radius)
 	{
@@ -101,7 +101,11 @@ public:
 	bool         capped() const { return capped_; }
 
 	/// Floods from a sample on a curve, which has its place already.
-	void floodGiven(int s) { flood_.run(s, shared_.samples[s]); }
+	void floodGiven(int s)
+	{
+		workers_.pollFrom(worker_);
+		flood_.run(s, shared_.samples[s]);
+	}
 
 	/// Samples a block. inRegion: only the part of the block in the region.
 	void run(const Block& block, int blockIndex, bool inRegion)
@@ -119,6 +123,7 @@ public:
 		Place place;
 		bool  isUncovered = false;
 		while (findPlace(place, isUncovered)) {
+			workers_.pollFrom(worker_);
 			if (!improvesAVertex(place)) continue;
 			if (range_->used == range_->room) {
 				capped_ = true;
@@ -130,6 +135,8 @@ public:
 
 private:
 	SharedState&           shared_;
+	Workers&               workers_;
+	int                    worker_; ///< the thread that samples the blocks
 	const HalfEdgeMesh&    m_;
 	DiskFlood              flood_;
 	float                  r_;
@@ -685,7 +692,9 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 		shared.field.trial[v]   = {0, 0};
 	});
 
-	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));
+	std::vector<BlockSampler> samplers;
+	for (int worker = 0; worker < workers.threadNum(); ++worker)
+		samplers.emplace_back(shared, workers, worker);
 	for (int s = 0; s < result.boundarySampleNum; ++s) {
 		const SurfacePoint& a = boundary.samples[s].point;
 		shared.samples[s]     = {a, m.faceNormal(a.face), sizeAt(surface, a)};
