@@ -208,6 +208,7 @@ private:
 		move(m_.position, split_.position);
 		if (!s_.size.empty()) move(s_.size, split_.size);
 		move(s_.normal, {});
+		move(s_.area, {});
 		workers_.forEach(m_.vertexNum,
 						 [&](int v) { m_.outgoing[v] = halfEdgeName(m_.outgoing[v]); });
 		move(m_.outgoing, {});
@@ -291,7 +292,7 @@ private:
 		workers_.forEach(corners.size(), [&](int i) {
 			const int v    = corners[std::size_t(i)];
 			m_.outgoing[v] = firstOutgoing(m_.outgoing[v]);
-			s_.normal[v]   = vertexNormal(m_, v);
+			measureVertex(v, s_);
 		});
 	}
 

@@ -272,6 +272,8 @@ public:
 		if (isRough()) packed.markRough();
 		return packed;
 	}
+	/// A third of the area of the faces.
+	PackedMeasure area() const { return PackedMeasure(area_ / 6); }
 
 private:
 	struct Face {
@@ -292,25 +294,26 @@ private:
 	}
 };
 
-Turn turnRound(const HalfEdgeMesh& m, int v)
+/// Fills the normal and the area of a vertex; returns the number of faces round the vertex.
+int measureRound(int v, Surface& surface)
 {
 	Turn turn;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
-	return turn;
+	forEachFaceRound(surface.mesh, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+	surface.normal[v] = turn.normal();
+	surface.area[v]   = turn.area();
+	return turn.cornerNum();
 }
 
-/// Computes vertex normals and marks by walks round every vertex. Returns whether every vertex has
-/// a single fan: the walks then visit all corners. Marking here saves a second pass, which would
-/// cost as much.
-bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
+/// Computes vertex normals, marks and areas by walks round every vertex. Returns whether every
+/// vertex has a single fan: the walks then visit all corners. Marking here saves a second pass,
+/// which would cost as much.
+bool measureVertices(Workers& workers, Surface& surface)
 {
-	normal.reset(m.vertexNum);
-	const std::int64_t seen =
-		workers.sumEach<std::int64_t>(m.vertexNum, [&](int v, std::int64_t& corners) {
-			const Turn turn = turnRound(m, v);
-			corners += turn.cornerNum();
-			normal[v] = turn.normal();
-		});
+	const HalfEdgeMesh& m = surface.mesh;
+	surface.normal.reset(m.vertexNum);
+	surface.area.reset(m.vertexNum);
+	const std::int64_t seen = workers.sumEach<std::int64_t>(
+		m.vertexNum, [&](int v, std::int64_t& corners) { corners += measureRound(v, surface); });
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 
@@ -324,7 +327,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	m.faceNum   = mesh.faceNum;
 	m.position.swap(mesh.position);
 	m.origin.swap(mesh.triangle);
-	if (!fillNormals(m, workers, surface.normal)) {
+	if (!measureVertices(workers, surface)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);
 		return false;
@@ -359,9 +362,9 @@ Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposit
 	return bad;
 }
 
-PackedNormal vertexNormal(const HalfEdgeMesh& m, int v)
+void measureVertex(int v, Surface& surface)
 {
-	return turnRound(m, v).normal();
+	measureRound(v, surface);
 }
 
 IndexedMesh disconnect(Surface& surface)
@@ -386,6 +389,7 @@ Surface copyOf(const Surface& from, Workers& workers)
 	to.mesh       = copyMesh(from.mesh, workers);
 	to.sourceFace = copyOf(from.sourceFace, workers);
 	to.normal     = copyOf(from.normal, workers);
+	to.area       = copyOf(from.area, workers);
 	to.size       = copyOf(from.size, workers);
 	to.meetings   = from.meetings;
 	to.frame      = from.frame;

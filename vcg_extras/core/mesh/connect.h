@@ -7,6 +7,7 @@
 #include "indexed_mesh.h"
 #include "spatial_order.h"
 
+#include <vcg_extras/core/base/packed_measure.h>
 #include <vcg_extras/core/base/packed_normal.h>
 #include <vcg_extras/core/base/workers.h>
 
@@ -18,10 +19,11 @@ struct Surface {
 	Buffer<int>          sourceFace; ///< per face: the face of the input
 	Buffer<PackedNormal> normal;     ///< per vertex, weighted by area (zero if undefined); marks:
 									 ///< see pointedSpread, roughDeg and roughWidth
-	Buffer<float>      size;         ///< per vertex: see sizing.h; empty: even sizes
-	std::vector<Vec3f> meetings;     ///< see IndexedMesh
-	Frame              frame;
-	MortonGrid         grid;
+	Buffer<PackedMeasure> area; ///< per vertex: a third of the area of its faces, working units²
+	Buffer<float>         size; ///< per vertex: see sizing.h; empty: even sizes
+	std::vector<Vec3f>    meetings; ///< see IndexedMesh
+	Frame                 frame;
+	MortonGrid            grid;
 };
 
 /// Bound of the spread of normals at the apex of a cone. The spread at a vertex is the length of
@@ -54,8 +56,8 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite,
 							 Workers& workers);
 
-/// The entry of a vertex in Surface::normal.
-PackedNormal vertexNormal(const HalfEdgeMesh& mesh, int v);
+/// Fills the normal and the area of a vertex.
+void measureVertex(int v, Surface& surface);
 
 /// Moves the arrays of a surface back into a mesh that may be changed and connected anew. The
 /// surface keeps only its frame.

@@ -253,8 +253,6 @@ private:
 			allKept = rounds.run(*map, round + 1 == settings_.rounds) && allKept;
 			followOnSurface();
 		}
-		// Frees memory for the search for intersecting faces.
-		map->keepListsOnly();
 		return allKept;
 	}
 

@@ -126,7 +126,7 @@ DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const Closes
 		const Vec3f  n        = surface.normal[*i].unpack();
 		const Foot   foot     = plane.nearestFoot(p);
 		const float  off      = dot(n, p - plane.pointAt(foot));
-		const float  area     = map.area(*i) * float(stride);
+		const float  area     = surface.area[*i].value() * float(stride);
 		const Float4 outer[2] = {{n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y},
 								 {n.y * n.z, n.z * n.z, 0, 0}};
 		const Float4 pull(n.x * off, n.y * off, n.z * off, 0);

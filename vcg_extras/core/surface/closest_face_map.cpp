@@ -328,9 +328,8 @@ Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Wo
 }
 
 ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers) :
-		surface_(surface), area_(surface.mesh.vertexNum)
+		surface_(surface)
 {
-	measureAreas(workers);
 	const Buffer<int> face   = findFaces(surface, result, workers);
 	const auto        faceOf = [&](std::size_t p) { return face[p]; };
 	sortIntoBuckets(face.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
@@ -339,11 +338,6 @@ ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result,
 void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
 	takeIn(takeLeavers(result.mesh, workers), workers);
-}
-
-void ClosestFaceMap::keepListsOnly()
-{
-	area_.release();
 }
 
 namespace {
@@ -402,17 +396,6 @@ void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers
 	});
 	start_.swap(start);
 	item_.swap(item);
-}
-
-void ClosestFaceMap::measureAreas(Workers& workers)
-{
-	const HalfEdgeMesh& m = surface_.mesh;
-	workers.forEach(area_.size(), [&](int p) {
-		float sum = 0;
-		forEachFaceRound(m, p,
-						 [&](int, const Vec3f& a, const Vec3f& b) { sum += length(cross(a, b)); });
-		area_[p] = PackedMeasure(sum / 6);
-	});
 }
 
 } // namespace gpr

@@ -8,38 +8,13 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
 
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
 namespace gpr {
 
-/// A number of at least 0 in 16 bits: a float without its sign and its last 15 bits, true to 0.2 %.
-class PackedMeasure {
-public:
-	PackedMeasure() = default;
-	explicit PackedMeasure(float x)
-	{
-		std::uint32_t bits;
-		std::memcpy(&bits, &x, sizeof bits);
-		upper_ = std::uint16_t((bits + 0x4000) >> 15);
-	}
-
-	float value() const
-	{
-		const std::uint32_t bits = std::uint32_t(upper_) << 15;
-		float               x;
-		std::memcpy(&x, &bits, sizeof x);
-		return x;
-	}
-
-private:
-	std::uint16_t upper_;
-};
-
 /// The vertices of the working surface that belong to each face of the result. Each vertex belongs
 /// to its nearest face, as found by a walk over the faces from its face before the last update: so
-/// a nearby face of another sheet is never taken. 10 B per vertex of the working surface.
+/// a nearby face of another sheet is never taken. 8 B per vertex of the working surface.
 class ClosestFaceMap {
 public:
 	/// Finds the map by a flood over the working surface from the result's surface points. Cost:
@@ -56,24 +31,16 @@ public:
 	const int* begin(int f) const { return item_.data() + start_[f]; }
 	const int* end(int f) const { return item_.data() + start_[f + 1]; }
 
-	/// A third of the area of the faces at vertex p of the working surface, working units squared.
-	float area(int p) const { return area_[p].value(); }
-
-	/// Frees all memory but the lists of begin() and end(): 6 B per vertex of the working surface.
-	void keepListsOnly();
-
 private:
 	/// A vertex of the working surface that changes its face.
 	struct Leaver {
 		int vertex, toFace;
 	};
 
-	const Surface&        surface_;
-	Buffer<PackedMeasure> area_;
-	Buffer<int>           start_; ///< per face of the result: the begin of its list in item_
-	Buffer<int>           item_;
+	const Surface& surface_;
+	Buffer<int>    start_; ///< per face of the result: the begin of its list in item_
+	Buffer<int>    item_;
 
-	void                measureAreas(Workers& workers);
 	std::vector<Leaver> takeLeavers(const HalfEdgeMesh& result, Workers& workers);
 	void                takeIn(const std::vector<Leaver>& leavers, Workers& workers);
 };
