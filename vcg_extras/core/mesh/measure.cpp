@@ -46,6 +46,7 @@ public:
 	}
 	void unite(int a, int b)
 	{
+		if (load(a) == load(b)) return; // the case of nearly all faces
 		for (;;) {
 			a = find(a);
 			b = find(b);

@@ -19,12 +19,13 @@ double roomOf(const Surface& surface, int f, float radius)
 	const bool          graded = !surface.size.empty();
 	const float         size =
         graded ? std::min({surface.size[v[0]], surface.size[v[1]], surface.size[v[2]]}) : 1.0f;
-	const float  r       = radius * size;
-	const double area    = 0.5 * double(length(m.faceCross(f)));
-	double       longest = 0;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		longest = std::max(
-			longest, double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
+	const float  r  = radius * size;
+	const Vec3f  a  = m.position[v[0]];
+	const Vec3f  ab = m.position[v[1]] - a, ac = m.position[v[2]] - a;
+	const double area = 0.5 * double(length(cross(ab, ac)));
+	const double longest =
+		double(std::max({squaredLength(ab), squaredLength(m.position[v[2]] - m.position[v[1]]),
+						 squaredLength(ac)}));
 	const double bySpace = area / (0.5 * double(r) * r);
 	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
 }
