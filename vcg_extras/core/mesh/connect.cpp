@@ -132,20 +132,29 @@ bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 		fan.gatherAll();
 		return pairSortedSpokes(fan.all, opposite);
 	}
-	bool isManifold = !fan.hasTwins();
-	for (int i = 0; isManifold && i < fan.leavingNum; ++i)
+	for (int i = 0; i < fan.leavingNum; ++i)
 		opposite[fan.leaving[i].halfEdge] = -1;
-	for (int k = 0; isManifold && k < fan.comingNum; ++k) {
+	unsigned paired   = 0; // a bit per leaving half-edge
+	bool     hasTwins = false;
+	for (int k = 0; k < fan.comingNum; ++k) {
 		const SpokeFan::End coming  = fan.coming[k];
 		int                 partner = -1;
 		for (int i = 0; i < fan.leavingNum; ++i)
-			partner = fan.leaving[i].other == coming.other ? fan.leaving[i].halfEdge : partner;
-		opposite[coming.halfEdge] = partner;
-		if (partner < 0) continue;
-		opposite[partner] = coming.halfEdge;
+			partner = fan.leaving[i].other == coming.other ? i : partner;
+		if (partner < 0) {
+			opposite[coming.halfEdge] = -1;
+			continue;
+		}
+		const int leaving         = fan.leaving[partner].halfEdge;
+		opposite[coming.halfEdge] = leaving;
+		opposite[leaving]         = coming.halfEdge;
+		hasTwins |= (paired >> partner & 1) != 0;
+		paired |= 1u << partner;
 		++fan.pairNum;
 	}
-	if (isManifold) return true;
+	// If all half-edges have partners, twins have the same partner.
+	const bool allPaired = fan.pairNum == fan.leavingNum && fan.pairNum == fan.comingNum;
+	if (!hasTwins && (allPaired || !fan.hasTwins())) return true;
 	fan.gatherAll();
 	return pairSortedSpokes(fan.all, opposite);
 }
