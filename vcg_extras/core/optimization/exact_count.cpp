@@ -230,7 +230,8 @@ private:
 		if (isSplittableBorder(h)) return CountChange{1000, -relativeLength(h), h, 0};
 		if (m_.opposite[h] <= h) return {};
 		const SplitEnergies energies = energiesOf(h);
-		CountChange         best{energies.of(0), 0, h, 0};
+		if (energies.least() > mostEnergy) return {};
+		CountChange best{energies.of(0), 0, h, 0};
 		if (care_ == Care::FlatGroundOnly) {
 			for (int pattern : splitPatterns) {
 				const int energy = energies.of(pattern);
@@ -295,6 +296,16 @@ private:
 			return squaredDefect(4 + wc + xc + wd + xd) + ends[0][wc + wd] + ends[1][xc + xd] +
 				   apexes[0][wc + xc] + apexes[1][wd + xd] + wc * beyond[0] + xc * beyond[1] +
 				   wd * beyond[2] + xd * beyond[3];
+		}
+
+		/// A lower bound for all patterns, which have at most two flips.
+		int least() const
+		{
+			const auto leastOf = [](const int(&e)[3]) { return std::min({e[0], e[1], e[2]}); };
+			const int  flip    = std::min({beyond[0], beyond[1], beyond[2], beyond[3]});
+			return leastOf(ends[0]) + leastOf(ends[1]) + std::min(apexes[0][0], apexes[0][1]) +
+				   std::min(apexes[1][0], apexes[1][1]) +
+				   std::min({squaredDefect(4), squaredDefect(5) + flip, 2 * flip});
 		}
 	};
 
