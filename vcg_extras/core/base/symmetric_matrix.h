@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_BASE_SYMMETRIC_MATRIX_H
 #define VCG_EXTRAS_CORE_BASE_SYMMETRIC_MATRIX_H
 
-#include <vcg_extras/core/vec.h>
+#include "float4.h"
 
 #include <cmath>
 #include <optional>
@@ -68,6 +68,37 @@ struct SymmetricMatrixOf {
 };
 
 using SymmetricMatrix = SymmetricMatrixOf<float>;
+
+/// The same in two vectors, for many sums and products: xx xy xz yy and yz zz.
+struct SymmetricLanes {
+	Float4 first, last;
+
+	/// n·nᵀ
+	static SymmetricLanes outer(const Vec3f& n)
+	{
+		return {{n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y}, {n.y * n.z, n.z * n.z, 0, 0}};
+	}
+
+	SymmetricMatrix matrix() const
+	{
+		return {first[0], first[1], first[2], first[3], last[0], last[1]};
+	}
+
+	SymmetricLanes& operator+=(const SymmetricLanes& o)
+	{
+		first += o.first;
+		last += o.last;
+		return *this;
+	}
+	SymmetricLanes operator*(float w) const { return {first * w, last * w}; }
+	/// The product with a 3-vector; the fourth lane has no meaning.
+	Float4 operator*(const Float4& v) const
+	{
+		const Float4 second(first[1], first[3], last[0], last[1]);
+		const Float4 third(first[2], last[0], last[1], last[1]);
+		return first * v[0] + second * v[1] + third * v[2];
+	}
+};
 
 } // namespace gpr
 

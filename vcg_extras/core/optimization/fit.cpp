@@ -66,8 +66,8 @@ public:
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
 			rings_(m_, workers), distance_(m_, rings_),
 			guard_(limitsOfFit(settings), shorteningOfFit, result.mesh, workers),
-			shift_(m_.vertexNum), next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
-			squaredEdge_(m_.vertexNum)
+			start_(m_.vertexNum), shift_(m_.vertexNum), next_(m_.vertexNum), last_(m_.vertexNum),
+			mass_(m_.vertexNum), squaredEdge_(m_.vertexNum)
 	{
 	}
 
@@ -81,11 +81,11 @@ public:
 			rings_.forEach<ConformalFace>(
 				workers_, [&](int f) { return shapeOf(f); },
 				[&](int v, const Rings::Ring<ConformalFace>& ring) {
-					next_[v] = isFree_[v] ? shiftAfterStep(v, ring) : Vec3f();
+					next_[v] = isFree_[v] ? Float4(shiftAfterStep(v, ring)) : Float4();
 				});
 			shift_.swap(next_);
 		}
-		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] += shift_[v]; });
+		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] += shift_[v].xyz(); });
 		guard_.takeOver();
 		return guard_.settle(smoothNormals(surface_, r_, workers_));
 	}
@@ -100,8 +100,9 @@ private:
 	Rings               rings_;
 	DistanceTerm        distance_;
 	MoveGuard           guard_;
-	Buffer<Vec3f>       shift_;       ///< before the step
-	Buffer<Vec3f>       next_;        ///< after the step
+	Buffer<Float4>      start_;       ///< places at the start of the round
+	Buffer<Float4>      shift_;       ///< before the step
+	Buffer<Float4>      next_;        ///< after the step
 	Buffer<Vec3f>       last_;        ///< moves of the step before
 	Buffer<float>       mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
 	Buffer<float>       squaredEdge_; ///< of an equilateral triangle with the mean area of the ring
@@ -114,7 +115,8 @@ private:
 			area += length(m_.faceCross(h / 3)) / 2;
 			++faceNum;
 		});
-		shift_[v]       = Vec3f();
+		start_[v]       = Float4(m_.position[v]);
+		shift_[v]       = Float4();
 		last_[v]        = Vec3f();
 		mass_[v]        = area / 6;
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
@@ -131,7 +133,7 @@ private:
 	ConformalFace shapeOf(int f) const
 	{
 		const int* c  = &m_.origin[3 * f];
-		const auto at = [&](int k) { return m_.position[c[k]] + shift_[c[k]]; };
+		const auto at = [&](int k) { return start_[c[k]] + shift_[c[k]]; };
 		return {at(0), at(1), at(2)};
 	}
 
@@ -154,31 +156,31 @@ private:
 	Vec3f shiftAfterStep(int v, const Rings::Ring<ConformalFace>& ring)
 	{
 		const float pull  = pullBack * mass_[v];
-		Vec3f       force = distance_.force(v) - distance_.own(v) * shift_[v] - shift_[v] * pull;
+		Float4      force = distance_.force(v) - distance_.own(v) * shift_[v] - shift_[v] * pull;
 		RingShape   shape;
 		const int   first = rings_.begin(v);
 		for (int i = 0; i < ring.size; ++i) {
 			shape.add(ring.term(i), ring.corner(i));
 			force = force - distance_.joint(first + i) * shift_[ring.spoke[i].target];
 		}
-		return shiftAgainst(v, shape, force, pull);
+		return shiftAgainst(v, shape, force.xyz(), pull);
 	}
 
 	/// The shift for the given forces; the shape contributes its tangential part only.
 	Vec3f shiftAgainst(int v, const RingShape& ring, Vec3f force, float pull)
 	{
-		const Vec3f normal = normalized(Vec3f(ring.normal[0], ring.normal[1], ring.normal[2]));
+		const Vec3f normal = normalized(ring.normal.xyz());
 		const float weight = shapeWeight(v);
 		const float stiff  = ring.force[3] * weight;
-		force += tangential({ring.force[0], ring.force[1], ring.force[2]}, normal) * weight;
+		force += tangential(ring.force.xyz(), normal) * weight;
 
-		SymmetricMatrix matrix = distance_.own(v);
+		SymmetricMatrix matrix = distance_.own(v).matrix();
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
 		last_[v] =
 			moveWithMomentum(last_[v], momentum, matrix.solve(force).value_or(Vec3f()) * stepLength,
 							 longestStep * std::sqrt(ring.shortest));
-		return shortened(shift_[v] + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
+		return shortened(shift_[v].xyz() + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };
 

@@ -105,7 +105,7 @@ struct RingPull {
 	}
 
 	/// The Newton step to the place without force.
-	Vec3f newton() const { return Vec3f(sum[0], sum[1], sum[2]) * (1 / sum[3]); }
+	Vec3f newton() const { return sum.xyz() * (1 / sum[3]); }
 };
 
 class ConformalRelaxer {
@@ -182,8 +182,9 @@ private:
 
 	ConformalFace shapeOf(int f) const
 	{
-		const int* c = &m_.origin[3 * f];
-		return {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]], leastArea};
+		const int* c  = &m_.origin[3 * f];
+		const auto at = [&](int k) { return Float4(m_.position[c[k]]); };
+		return {at(0), at(1), at(2), leastArea};
 	}
 
 	Vec3f placeAfterStep(int v, const Rings::Ring<ConformalFace>& ring)

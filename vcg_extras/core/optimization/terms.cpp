@@ -99,18 +99,6 @@ namespace {
 /// A face with at least this many input vertices uses every second one in a rough assembly.
 constexpr int manyVertices = 4;
 
-SymmetricMatrix matrixOf(const Float4 (&part)[2])
-{
-	SymmetricMatrix m;
-	m.xx = part[0][0];
-	m.xy = part[0][1];
-	m.xz = part[0][2];
-	m.yy = part[0][3];
-	m.yz = part[1][0];
-	m.zz = part[1][1];
-	return m;
-}
-
 } // namespace
 
 /// Visits each input vertex once, for all three corners.
@@ -122,21 +110,17 @@ DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const Closes
 	const int       num    = int(map.end(f) - map.begin(f));
 	const int       stride = isRough && num >= manyVertices ? 2 : 1;
 	for (const int* i = map.begin(f); i < map.end(f); i += stride) {
-		const Vec3f  p        = surface.mesh.position[*i];
-		const Vec3f  n        = surface.normal[*i].unpack();
-		const Foot   foot     = plane.nearestFoot(p);
-		const float  off      = dot(n, p - plane.pointAt(foot));
-		const float  area     = surface.area[*i].value() * float(stride);
-		const Float4 outer[2] = {{n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y},
-								 {n.y * n.z, n.z * n.z, 0, 0}};
-		const Float4 pull(n.x * off, n.y * off, n.z * off, 0);
+		const Vec3f          p    = surface.mesh.position[*i];
+		const Vec3f          n    = surface.normal[*i].unpack();
+		const Foot           foot = plane.nearestFoot(p);
+		const float          off  = dot(n, p - plane.pointAt(foot));
+		const float          area = surface.area[*i].value() * float(stride);
+		const Float4         pull(n.x * off, n.y * off, n.z * off, 0);
+		const SymmetricLanes outer = SymmetricLanes::outer(n);
 		for (int k = 0; k < 3; ++k) {
 			const float share = area * foot.weight[k];
-			const float own = share * foot.weight[k], joint = share * foot.weight[(k + 1) % 3];
-			term.own[k][0] += outer[0] * own;
-			term.own[k][1] += outer[1] * own;
-			term.joint[k][0] += outer[0] * joint;
-			term.joint[k][1] += outer[1] * joint;
+			term.own[k] += outer * (share * foot.weight[k]);
+			term.joint[k] += outer * (share * foot.weight[(k + 1) % 3]);
 			term.force[k] += pull * share;
 		}
 	}
@@ -146,25 +130,23 @@ DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const Closes
 /// The edge of a spoke is an edge of its own face and of the face before.
 void DistanceTerm::addUp(int v, const Rings::Ring<FaceTerm>& ring)
 {
-	Float4    own[2], force;
-	const int first = rings_.begin(v);
+	SymmetricLanes own;
+	Float4         force;
+	const int      first = rings_.begin(v);
 	for (int i = 0; i < ring.size; ++i) {
-		const FaceTerm& term     = ring.term(i);
-		const int       k        = ring.corner(i);
-		Float4          joint[2] = {term.joint[k][0], term.joint[k][1]};
-		own[0] += term.own[k][0];
-		own[1] += term.own[k][1];
+		const FaceTerm& term  = ring.term(i);
+		const int       k     = ring.corner(i);
+		SymmetricLanes  joint = term.joint[k];
+		own += term.own[k];
 		force += term.force[k];
 		if (i > 0 || ring.isClosed) {
-			const int     before = i > 0 ? i - 1 : ring.size - 1;
-			const Float4* other  = ring.term(before).joint[(ring.corner(before) + 2) % 3];
-			joint[0] += other[0];
-			joint[1] += other[1];
+			const int before = i > 0 ? i - 1 : ring.size - 1;
+			joint += ring.term(before).joint[(ring.corner(before) + 2) % 3];
 		}
-		joint_[first + i] = matrixOf(joint);
+		joint_[first + i] = joint;
 	}
-	own_[v]   = matrixOf(own);
-	force_[v] = {force[0], force[1], force[2]};
+	own_[v]   = own;
+	force_[v] = force;
 }
 
 } // namespace gpr

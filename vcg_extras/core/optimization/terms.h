@@ -5,7 +5,6 @@
 
 #include "rings.h"
 
-#include <vcg_extras/core/base/float4.h>
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -52,27 +51,27 @@ struct ConformalFace {
 
 	/// leastArea: 2A counts as at least this share of the mean squared edge, so that a degenerate
 	/// face has a finite force.
-	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c, float leastArea = 0)
+	ConformalFace(const Float4& a, const Float4& b, const Float4& c, float leastArea = 0)
 	{
 		constexpr float k  = 0.28867513f;
-		const Vec3f     ab = b - a, bc = c - b, ca = a - c, n = cross(ab, bc);
-		squaredEdge[0]      = squaredLength(ab);
-		squaredEdge[1]      = squaredLength(bc);
-		squaredEdge[2]      = squaredLength(ca);
+		const Float4    ab = b - a, bc = c - b, ca = a - c;
+		normal              = cross(ab, bc);
+		squaredEdge[0]      = dot(ab, ab);
+		squaredEdge[1]      = dot(bc, bc);
+		squaredEdge[2]      = dot(ca, ca);
 		const float sum     = squaredEdge[0] + squaredEdge[1] + squaredEdge[2];
-		const float twice   = length(n) + 1e-30f;
+		const float twice   = std::sqrt(dot(normal, normal)) + 1e-30f;
 		const float unit    = 1 / twice;
 		const float inverse = leastArea > 0 ? 1 / std::max(twice, leastArea * sum / 3) : unit;
 		energy              = k * sum * inverse;
-		const float along = 2 * k * inverse, across = energy * inverse * unit;
-		const auto  at = [&](const Vec3f& sides, const Vec3f& opposite) {
-            const Vec3f pull = sides * along + cross(n, opposite) * across;
-            return Float4(pull.x, pull.y, pull.z, 2 * along);
+		const float  along = 2 * k * inverse, across = energy * inverse * unit;
+		const Float4 stiffness(0, 0, 0, 2 * along);
+		const auto   at = [&](const Float4& sides, const Float4& opposite) {
+            return sides * along + cross(normal, opposite) * across + stiffness;
 		};
 		force[0] = at(ab - ca, bc);
 		force[1] = at(bc - ab, ca);
 		force[2] = at(ca - bc, ab);
-		normal   = {n.x, n.y, n.z, 0};
 	}
 };
 
@@ -89,24 +88,24 @@ public:
 	void assemble(const Surface& surface, const ClosestFaceMap& map, bool isRough,
 				  Workers& workers);
 
-	const SymmetricMatrix& own(int v) const { return own_[v]; }
-	const Vec3f&           force(int v) const { return force_[v]; }
+	const SymmetricLanes& own(int v) const { return own_[v]; }
+	const Float4&         force(int v) const { return force_[v]; }
 	/// The matrix for the edge of a spoke.
-	const SymmetricMatrix& joint(int spoke) const { return joint_[spoke]; }
+	const SymmetricLanes& joint(int spoke) const { return joint_[spoke]; }
 
 private:
 	/// The contribution of the input vertices assigned to a face, to the corners and to the edges
 	/// from each corner to the next.
 	struct FaceTerm {
-		Float4 own[3][2], joint[3][2]; ///< matrices: xx xy xz yy, yz zz
-		Float4 force[3];
+		SymmetricLanes own[3], joint[3];
+		Float4         force[3];
 	};
 
-	const HalfEdgeMesh&     m_;
-	const Rings&            rings_;
-	Buffer<SymmetricMatrix> own_;
-	Buffer<SymmetricMatrix> joint_; ///< per spoke
-	Buffer<Vec3f>           force_;
+	const HalfEdgeMesh&    m_;
+	const Rings&           rings_;
+	Buffer<SymmetricLanes> own_;
+	Buffer<SymmetricLanes> joint_; ///< per spoke
+	Buffer<Float4>         force_;
 
 	FaceTerm termOf(const Surface& surface, const ClosestFaceMap& map, bool isRough, int f) const;
 	void     addUp(int v, const Rings::Ring<FaceTerm>& ring);
