@@ -5,6 +5,8 @@
 
 #include <vcg_extras/core/vec.h>
 
+#include <cmath>
+
 namespace gpr {
 
 /// Four floats with lane-wise sum and product, by one instruction each on compilers with vectors
@@ -79,6 +81,10 @@ inline float dot(const Float4& a, const Float4& b)
 {
 	const Float4 product = a * b;
 	return product[0] + product[1] + product[2];
+}
+inline float length(const Float4& a)
+{
+	return std::sqrt(dot(a, a));
 }
 inline Float4 cross(const Float4& a, const Float4& b)
 {

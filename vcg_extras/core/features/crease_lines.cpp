@@ -384,10 +384,10 @@ private:
 	{
 		const float spread = spreadAtApex(rules_.strongDeg);
 		if (spread <= pointedSpread && !surface_.normal[v].isPointed()) return false;
-		Vec3f sum;
-		float area = 0;
-		forEachFaceRound(m_, v, [&](int, const Vec3f& a, const Vec3f& b) {
-			const Vec3f n = cross(a, b);
+		Float4 sum;
+		float  area = 0;
+		forEachFaceRound(m_, v, [&](int, const Float4& a, const Float4& b) {
+			const Float4 n = cross(a, b);
 			sum += n;
 			area += length(n);
 		});

@@ -255,11 +255,11 @@ private:
 class Turn {
 public:
 	/// Adds the next face, given by its two edges from the vertex.
-	void add(const Vec3f& a, const Vec3f& b)
+	void add(const Float4& a, const Float4& b)
 	{
-		const Vec3f     normal = cross(a, b);
+		const Float4    normal = cross(a, b);
 		const Face      face   = {normal, length(normal)};
-		const float     longer = std::max(squaredLength(a), squaredLength(b));
+		const float     longer = std::max(dot(a, a), dot(b, b));
 		constexpr float narrow = 2 * roughWidth; // the third edge may be twice as long
 		isRough_ |= face.area * face.area <= narrow * narrow * longer;
 		isRough_ |= meetSharply(last_, face);
@@ -276,7 +276,7 @@ public:
 
 	PackedNormal normal() const
 	{
-		PackedNormal packed(normalized(sum_));
+		PackedNormal packed(normalized(sum_.xyz()));
 		if (isPointed()) packed.markPointed();
 		if (isRough()) packed.markRough();
 		return packed;
@@ -286,14 +286,14 @@ public:
 
 private:
 	struct Face {
-		Vec3f cross;
-		float area = 0; ///< twice
+		Float4 cross;
+		float  area = 0; ///< twice
 	};
-	Face  first_, last_;
-	Vec3f sum_;
-	float area_      = 0;
-	int   cornerNum_ = 0;
-	bool  isRough_   = false;
+	Face   first_, last_;
+	Float4 sum_;
+	float  area_      = 0;
+	int    cornerNum_ = 0;
+	bool   isRough_   = false;
 
 	static bool meetSharply(const Face& a, const Face& b)
 	{
@@ -307,7 +307,8 @@ private:
 int measureRound(int v, Surface& surface)
 {
 	Turn turn;
-	forEachFaceRound(surface.mesh, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+	forEachFaceRound(surface.mesh, v,
+					 [&](int, const Float4& a, const Float4& b) { turn.add(a, b); });
 	surface.normal[v] = turn.normal();
 	surface.area[v]   = turn.area();
 	return turn.cornerNum();

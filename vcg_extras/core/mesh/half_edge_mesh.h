@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_MESH_HALF_EDGE_MESH_H
 
 #include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/float4.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/vec.h>
 
@@ -134,33 +135,25 @@ inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 }
 
 /// Calls visit(h, a, b) for every half-edge h from v, as above. a and b are the vectors from v to
-/// target(h) and apex(h), for a vertex w at place at(w). Calls `at` once per vertex of the ring.
-template <class At, class Visit>
-inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const At& at, const Visit& visit)
+/// target(h) and apex(h). Reads each place of the ring once.
+template <class Visit>
+inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
-	const int* const opposite = m.opposite.data();
-	const int* const origin   = m.origin.data();
-	const Vec3f      p        = at(v);
-	Vec3f            a        = at(m.target(first)) - p;
-	int              h        = first;
+	const int* const   opposite = m.opposite.data();
+	const int* const   origin   = m.origin.data();
+	const Vec3f* const position = m.position.data();
+	const Float4       p(position[v]);
+	Float4             a = Float4(position[m.target(first)]) - p;
+	int                h = first;
 	do {
-		const int   in = prevInFace(h);
-		const Vec3f b  = at(origin[in]) - p;
+		const int    in = prevInFace(h);
+		const Float4 b  = Float4(position[origin[in]]) - p;
 		visit(h, a, b);
 		a = b;
 		h = opposite[in];
 	} while (h >= 0 && h != first);
-}
-
-/// Likewise with the positions of the mesh.
-template <class Visit>
-inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
-{
-	const Vec3f* const position = m.position.data();
-	forEachFaceRound(
-		m, v, [position](int w) { return position[w]; }, visit);
 }
 
 /// Calls visit(w) for every neighbour w of v, including the end of the last border edge.

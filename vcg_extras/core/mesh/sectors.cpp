@@ -46,21 +46,21 @@ bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
 bool isFlatRing(const HalfEdgeMesh& m, int v)
 {
 	constexpr int maxKept = 12; // nearly all vertices have fewer faces; larger stars are read twice
-	Vec3f         kept[maxKept];
-	Vec3f         sum;
+	Float4        kept[maxKept];
+	Float4        sum;
 	int           num = 0;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-		const Vec3f n = cross(a, b);
+	forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) {
+		const Float4 n = cross(a, b);
 		if (num < maxKept) kept[num] = n;
 		++num;
 		sum += n;
 	});
 	if (num > maxKept) return isFlatSector(m, m.outgoing[v], num);
-	const float limit = flatCosine * flatCosine * squaredLength(sum);
-	bool        flat  = squaredLength(sum) > 0;
+	const float limit = flatCosine * flatCosine * dot(sum, sum);
+	bool        flat  = dot(sum, sum) > 0;
 	for (int i = 0; i < num; ++i) {
 		const float d = dot(kept[i], sum);
-		flat          = flat && d > 0 && d * d >= limit * squaredLength(kept[i]);
+		flat          = flat && d > 0 && d * d >= limit * dot(kept[i], kept[i]);
 	}
 	return flat;
 }

@@ -52,22 +52,22 @@ Vec3f umbrellaStep(const HalfEdgeMesh& m, const Buffer<Umbrella>& umbrella, int 
 
 Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density)
 {
-	Vec3f sum;
-	float weight = 0;
-	forEachFaceRound(m, v, [&](int h, const Vec3f& a, const Vec3f& b) {
+	Float4 sum;
+	float  weight = 0;
+	forEachFaceRound(m, v, [&](int h, const Float4& a, const Float4& b) {
 		float area = length(cross(a, b));
 		if (!density.empty()) area *= density[v] + density[m.target(h)] + density[m.apex(h)];
 		sum += (a + b) * (area / 3);
 		weight += area;
 	});
-	return weight > 0 ? sum * (1 / weight) : Vec3f();
+	return weight > 0 ? sum.xyz() * (1 / weight) : Vec3f();
 }
 
 Vec3f heightOverRing(const HalfEdgeMesh& m, int v)
 {
-	Vec3f normal;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { normal += cross(a, b); });
-	normal = normalized(normal);
+	Float4 sum;
+	forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) { sum += cross(a, b); });
+	const Vec3f normal = normalized(sum.xyz());
 	return normal * -dot(umbrellaAt(m, v).vector, normal);
 }
 

@@ -60,7 +60,7 @@ struct ConformalFace {
 		squaredEdge[1]      = dot(bc, bc);
 		squaredEdge[2]      = dot(ca, ca);
 		const float sum     = squaredEdge[0] + squaredEdge[1] + squaredEdge[2];
-		const float twice   = std::sqrt(dot(normal, normal)) + 1e-30f;
+		const float twice   = length(normal) + 1e-30f;
 		const float unit    = 1 / twice;
 		const float inverse = leastArea > 0 ? 1 / std::max(twice, leastArea * sum / 3) : unit;
 		energy              = k * sum * inverse;

@@ -69,13 +69,14 @@ Buffer<Ring> ringsOf(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<Ring> ring(m.vertexNum);
 	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
-		Ring sum;
-		forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-			const Vec3f normal = cross(a, b);
-			sum.normal += normal;
-			sum.area += length(normal);
+		Float4 normal;
+		float  area = 0;
+		forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) {
+			const Float4 ofFace = cross(a, b);
+			normal += ofFace;
+			area += length(ofFace);
 		});
-		ring[v] = sum;
+		ring[v] = {normal.xyz(), area};
 	});
 	return ring;
 }
