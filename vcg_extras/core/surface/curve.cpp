@@ -31,10 +31,32 @@ float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 	return length(p - a - (b - a) * shareOnSegment(p, a, b));
 }
 
-/// Straight distance of arcs a and b, at p and q, over the wanted size between both.
-float relativeChord(const Curve& c, float a, const Vec3f& p, float b, const Vec3f& q)
+Vec3f positionOn(const Curve& c, const OnSegment& p)
 {
-	return length(q - p) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
+	return c.point[p.from] * (1 - p.share) + c.point[p.to] * p.share;
+}
+
+float sizeOn(const Curve& c, const OnSegment& p)
+{
+	return c.size[p.from] * (1 - p.share) + c.size[p.to] * p.share;
+}
+
+/// A place of a curve, and the wanted size there.
+struct Place {
+	Vec3f position;
+	float size;
+};
+
+Place placeAt(const Curve& c, float s)
+{
+	const OnSegment p = onSegment(c, s);
+	return {positionOn(c, p), c.size.empty() ? 1 : sizeOn(c, p)};
+}
+
+/// Straight distance of two places over the wanted size between both.
+float relativeChord(const Place& p, const Place& q)
+{
+	return length(q.position - p.position) / (0.5f * (p.size + q.size));
 }
 
 /// Goes from arc a to b by chords of length d: each step ends at the first point at distance d from
@@ -45,14 +67,14 @@ float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 	float from  = a;
 	float steps = 0;
 	while (true) {
-		const Vec3f start  = c.at(from);
-		const float stride = d * 0.1f * c.sizeAt(from);
+		const Place start  = placeAt(c, from);
+		const float stride = d * 0.1f * start.size;
 		float       s      = from;
 		float       before = 0;
 		bool        found  = false;
 		while (s < b) {
 			const float next = std::min(b, s + stride);
-			const float far  = relativeChord(c, from, start, next, c.at(next));
+			const float far  = relativeChord(start, placeAt(c, next));
 			if (far >= d) {
 				s += (next - s) * (d - before) / std::max(far - before, 1e-30f);
 				found = true;
@@ -62,7 +84,7 @@ float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 			if (!(next > s)) break;
 			s = next;
 		}
-		if (!found || !(s > from)) return steps + relativeChord(c, from, start, b, c.at(b)) / d;
+		if (!found || !(s > from)) return steps + relativeChord(start, placeAt(c, b)) / d;
 		from = s;
 		steps += 1;
 		if (arcs != nullptr) arcs->push_back(s);
@@ -147,9 +169,9 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 
 	const std::vector<float> arcs = candidateArcs(c, a, b, d);
 	const int                n    = int(arcs.size());
-	std::vector<Vec3f>       place(n);
+	std::vector<Place>       place(n);
 	for (int i = 0; i < n; ++i)
-		place[i] = c.at(arcs[i]);
+		place[i] = placeAt(c, arcs[i]);
 
 	std::vector<double> cost(n, HUGE_VAL);
 	std::vector<int>    before(n, -1);
@@ -158,9 +180,9 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 		for (int k = i - 1; k >= 0; --k) {
 			// A chord is never longer than its arc; beyond this arc length no chord is worth a
 			// look.
-			const float size = std::max(c.sizeAt(arcs[i]), c.sizeAt(arcs[k]));
+			const float size = std::max(place[i].size, place[k].size);
 			if (arcs[i] - arcs[k] > 3 * longest * d * size && before[i] >= 0) break;
-			const float chord = relativeChord(c, arcs[k], place[k], arcs[i], place[i]) / d;
+			const float chord = relativeChord(place[k], place[i]) / d;
 			const bool  isEnd = i == n - 1 || k == 0;
 			if (chord > longest && before[i] >= 0) continue;
 			if (chord < shortest && !isEnd) continue;
@@ -203,15 +225,12 @@ int Curve::segmentAt(float s) const
 
 Vec3f Curve::at(float s) const
 {
-	const OnSegment p = onSegment(*this, s);
-	return point[p.from] * (1 - p.share) + point[p.to] * p.share;
+	return positionOn(*this, onSegment(*this, s));
 }
 
 float Curve::sizeAt(float s) const
 {
-	if (size.empty()) return 1;
-	const OnSegment p = onSegment(*this, s);
-	return size[p.from] * (1 - p.share) + size[p.to] * p.share;
+	return size.empty() ? 1 : sizeOn(*this, onSegment(*this, s));
 }
 
 float Curve::smallestSize() const
