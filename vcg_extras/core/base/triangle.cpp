@@ -61,13 +61,13 @@ float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 /// §5.1.5).
 Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
-	if (!hasArea(a, b, c)) return nearestOnOutline(p, a, b, c);
 	const Vec3f ab = b - a, ac = c - a, ap = p - a;
 	const float d1 = dot(ab, ap), d2 = dot(ac, ap);
 	if (d1 <= 0 && d2 <= 0) return a;
 	const Vec3f bp = p - b;
 	const float d3 = dot(ab, bp), d4 = dot(ac, bp);
 	if (d3 >= 0 && d4 <= d3) return b;
+	if (!hasArea(a, b, c)) return nearestOnOutline(p, a, b, c);
 	const float vc = d1 * d4 - d3 * d2;
 	if (vc <= 0 && d1 >= 0 && d3 <= 0) return d1 > d3 ? a + ab * (d1 / (d1 - d3)) : a;
 	const Vec3f cp = p - c;
