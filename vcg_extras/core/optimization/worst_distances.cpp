@@ -204,10 +204,16 @@ private:
 		return largest;
 	}
 
-	bool areWithin(const std::vector<int>& faces, float squared) const
+	/// The entries of faces in gap_; empty if a face is farther than `squared`.
+	std::vector<float> gapsWithin(const std::vector<int>& faces, float squared) const
 	{
-		return std::all_of(faces.begin(), faces.end(),
-						   [&](int f) { return gaps_.isWithin(f, squared); });
+		std::vector<float> gaps;
+		for (int f : faces) {
+			const float gap = gaps_.gapAt(f).squared;
+			if (gap > squared) return {};
+			gaps.push_back(isAtSmoothBorder(f) ? near_ * near_ : gap);
+		}
+		return gaps;
 	}
 
 	/// Faces beyond the squared distance `goal`, farthest first.
@@ -337,10 +343,12 @@ private:
 			keepsNear        = keepsNear && squaredOff(next) <= allowedOff(m.vertex);
 			put(m.vertex, next);
 		}
-		if (keepsNear && areSound(faces, corners, agreed) && isCloser() &&
-			areWithin(faces, before)) {
-			for (int g : faces)
-				gap_[g] = isAtSmoothBorder(g) ? near_ * near_ : gaps_.gapAt(g).squared;
+		std::vector<float> gaps;
+		if (keepsNear && areSound(faces, corners, agreed) && isCloser())
+			gaps = gapsWithin(faces, before);
+		for (std::size_t i = 0; i < gaps.size(); ++i)
+			gap_[faces[i]] = gaps[i];
+		if (!gaps.empty()) {
 			for (const Move& m : moves)
 				hasMoved_[m.vertex] = 1;
 			return true;
