@@ -242,11 +242,13 @@ private:
 		Buffer<int>            opposite(m_.origin.size());
 		const std::vector<int> open = workers_.collect<int>(
 			faceName_.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int h = 3 * int(begin); h < 3 * int(end); ++h) {
-					const int name = halfEdgeName(h), old = m_.opposite[h];
-					if (name < 0) continue;
-					opposite[name] = halfEdgeName(old);
-					if (old >= 0 && opposite[name] < 0) out.push_back(name);
+				for (int f = int(begin); f < int(end); ++f) {
+					if (faceName_[f] < 0) continue;
+					for (int k = 0; k < 3; ++k) {
+						const int name = 3 * faceName_[f] + k, old = m_.opposite[3 * f + k];
+						opposite[name] = halfEdgeName(old);
+						if (old >= 0 && opposite[name] < 0) out.push_back(name);
+					}
 				}
 			});
 		m_.opposite.swap(opposite);
