@@ -80,6 +80,26 @@ TEST_P(Connect, DamageIsNoticed)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Connect, ::testing::ValuesIn(testSeeds(6)));
 
+/// At such an edge each half-edge finds one in the opposite direction.
+TEST(Connect, FourFacesAtAnEdgeAreNoManifold)
+{
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+	mesh.triangles = {0, 1, 2, 0, 1, 3, 1, 0, 4, 1, 0, 5};
+	EXPECT_FALSE(Connected(mesh).ok);
+}
+
+TEST(ConnectAreas, AreAThirdOfTheFacesAtAVertex)
+{
+	Workers            workers(2, nullptr);
+	const Surface      s = surfaceOf(grid(5, 3), workers);
+	std::vector<float> area(std::size_t(s.mesh.vertexNum), 0);
+	for (int h = 0; h < s.mesh.halfEdgeNum(); ++h)
+		area[std::size_t(s.mesh.origin[h])] += length(s.mesh.faceCross(h / 3)) / 6;
+	for (int v = 0; v < s.mesh.vertexNum; ++v)
+		EXPECT_NEAR(s.area[v].value() / area[std::size_t(v)], 1, 0.003) << v;
+}
+
 TEST(ConnectNormals, AreTheSpheres)
 {
 	Workers       workers(2, nullptr);

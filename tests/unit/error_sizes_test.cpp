@@ -133,7 +133,7 @@ TEST_F(ErrorSizesTest, MakeAsManyTrianglesAsEvenOnes)
 	double              more = 0, area = 0;
 	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
 		double ring = 0;
-		forEachFaceRound(surface.mesh, v, [&](int, const Vec3f& a, const Vec3f& b) {
+		forEachFaceRound(surface.mesh, v, [&](int, const Float4& a, const Float4& b) {
 			ring += double(length(cross(a, b)));
 		});
 		area += ring;

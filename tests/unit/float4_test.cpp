@@ -4,7 +4,7 @@
 // Operations on four floats have the bits of operations on each float. Built twice: with the
 // compiler's vectors, and without (GPR_SCALAR_LANES).
 
-#include <vcg_extras/core/base/float4.h>
+#include <vcg_extras/core/base/symmetric_matrix.h>
 
 #include <cstdint>
 #include <cstring>
@@ -20,6 +20,13 @@ std::uint32_t bitsOf(float x)
 	std::uint32_t bits;
 	std::memcpy(&bits, &x, sizeof bits);
 	return bits;
+}
+
+void expectSameBits(const Vec3f& a, const Vec3f& b)
+{
+	EXPECT_EQ(bitsOf(a.x), bitsOf(b.x));
+	EXPECT_EQ(bitsOf(a.y), bitsOf(b.y));
+	EXPECT_EQ(bitsOf(a.z), bitsOf(b.z));
 }
 
 } // namespace
@@ -42,6 +49,39 @@ TEST(Float4, HasTheBitsOfSingleFloats)
 			EXPECT_EQ(bitsOf(sum[k]), bitsOf(expected[k]));
 	}
 	EXPECT_EQ(Float4()[3], 0);
+}
+
+TEST(Float4, ProductsHaveTheBitsOfTheProductsOfVectors)
+{
+	std::mt19937                          random(8);
+	std::uniform_real_distribution<float> number(-3, 3);
+	const auto vector = [&] { return Vec3f(number(random), number(random), number(random)); };
+	for (int i = 0; i < 1000; ++i) {
+		const Vec3f  a = vector(), b = vector();
+		const Float4 x(a), y(b);
+		EXPECT_EQ(bitsOf(dot(x, y)), bitsOf(dot(a, b)));
+		EXPECT_EQ(bitsOf(length(x)), bitsOf(length(a)));
+		expectSameBits((x + y).xyz(), a + b);
+		expectSameBits((x - y).xyz(), a - b);
+		expectSameBits(cross(x, y).xyz(), cross(a, b));
+	}
+}
+
+TEST(SymmetricLanes, HaveTheBitsOfTheMatrix)
+{
+	std::mt19937                          random(9);
+	std::uniform_real_distribution<float> number(-3, 3);
+	const auto vector = [&] { return Vec3f(number(random), number(random), number(random)); };
+	for (int i = 0; i < 1000; ++i) {
+		const Vec3f    n = vector(), v = vector();
+		SymmetricLanes lanes = SymmetricLanes::outer(n) * 2;
+		lanes += SymmetricLanes::outer(v);
+		const SymmetricMatrix matrix = lanes.matrix();
+		EXPECT_EQ(bitsOf(matrix.xz), bitsOf(n.x * n.z * 2 + v.x * v.z));
+		EXPECT_EQ(bitsOf(matrix.yy), bitsOf(n.y * n.y * 2 + v.y * v.y));
+		EXPECT_EQ(bitsOf(matrix.zz), bitsOf(n.z * n.z * 2 + v.z * v.z));
+		expectSameBits((lanes * Float4(v)).xyz(), matrix * v);
+	}
 }
 
 } // namespace gpr::test

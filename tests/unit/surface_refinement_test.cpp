@@ -151,14 +151,17 @@ TEST_P(SurfaceRefinement, KeepsFacesInTheOrderOfTheirSmallestVertex)
 	}
 }
 
-TEST_P(SurfaceRefinement, TellsNormalsSizesAndSources)
+TEST_P(SurfaceRefinement, TellsNormalsAreasSizesAndSources)
 {
 	Surface s = withSizes();
 	refine(s, 0.7f);
 	for (int v = 0; v < s.mesh.vertexNum; ++v) {
-		const PackedNormal anew = vertexNormal(s.mesh, v);
-		ASSERT_EQ(length(s.normal[v].unpack() - anew.unpack()), 0);
-		ASSERT_EQ(s.normal[v].isRough(), anew.isRough());
+		const PackedNormal normal = s.normal[v];
+		const float        ofRing = s.area[v].value();
+		measureVertex(v, s);
+		ASSERT_EQ(length(s.normal[v].unpack() - normal.unpack()), 0);
+		ASSERT_EQ(s.normal[v].isRough(), normal.isRough());
+		ASSERT_EQ(s.area[v].value(), ofRing);
 		ASSERT_GE(s.size[v], 0.125f);
 		ASSERT_LE(s.size[v], 1);
 	}

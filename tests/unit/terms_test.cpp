@@ -100,6 +100,11 @@ double conformalEnergy(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 	return edges / (2 * std::sqrt(3.0) * length(cross(a - p, b - p)));
 }
 
+ConformalFace conformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c, float leastArea = 0)
+{
+	return {Float4(a), Float4(b), Float4(c), leastArea};
+}
+
 TEST(ConformalFace, PullsEachCornerDownhill)
 {
 	Random     random(7);
@@ -110,7 +115,8 @@ TEST(ConformalFace, PullsEachCornerDownhill)
 		const Vec3d corner[] = {point(), point(), point()};
 		if (length(cross(corner[1] - corner[0], corner[2] - corner[0])) < 0.1)
 			continue; // nearly a line: differences say little
-		const ConformalFace face{Vec3f(corner[0]), Vec3f(corner[1]), Vec3f(corner[2])};
+		const ConformalFace face =
+			conformalFace(Vec3f(corner[0]), Vec3f(corner[1]), Vec3f(corner[2]));
 		for (int k = 0; k < 3; ++k) {
 			const Vec3d p = corner[k], a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
 			EXPECT_NEAR(double(face.energy) / conformalEnergy(p, a, b), 1, 1e-4);
@@ -120,7 +126,7 @@ TEST(ConformalFace, PullsEachCornerDownhill)
                 return (conformalEnergy(p + by, a, b) - conformalEnergy(p - by, a, b)) / (2 * step);
 			};
 			const Vec3d gradient(change({step, 0, 0}), change({0, step, 0}), change({0, 0, step}));
-			const Vec3d force(face.force[k][0], face.force[k][1], face.force[k][2]);
+			const Vec3d force(face.force[k].xyz());
 			EXPECT_LT(length(force + gradient), 1e-3 * (1 + length(gradient))) << i;
 		}
 	}
@@ -128,17 +134,17 @@ TEST(ConformalFace, PullsEachCornerDownhill)
 
 TEST(ConformalFace, OfAnEquilateralTriangleHasTheEnergyOneAndNoForce)
 {
-	const ConformalFace face({0, 0, 0}, {1, 0, 0}, {0.5f, std::sqrt(0.75f), 0});
+	const ConformalFace face = conformalFace({0, 0, 0}, {1, 0, 0}, {0.5f, std::sqrt(0.75f), 0});
 	EXPECT_NEAR(face.energy, 1, 1e-6);
 	for (const Float4& force : face.force) {
-		EXPECT_LT(length(Vec3f(force[0], force[1], force[2])), 1e-6f);
+		EXPECT_LT(length(force.xyz()), 1e-6f);
 		EXPECT_NEAR(force[3], 4 / (2 * std::sqrt(3.0) * std::sqrt(0.75)), 1e-5);
 	}
 }
 
 TEST(ConformalFace, OfALineHasAForceWithoutNumbersThatAreNone)
 {
-	const ConformalFace face({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0.02f);
+	const ConformalFace face = conformalFace({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0.02f);
 	for (const Float4& force : face.force) {
 		for (int lane = 0; lane < 4; ++lane)
 			EXPECT_LT(std::abs(force[lane]), 1e4f);

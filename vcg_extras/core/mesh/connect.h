@@ -7,8 +7,7 @@
 #include "indexed_mesh.h"
 #include "spatial_order.h"
 
-#include <vcg_extras/core/base/packed_measure.h>
-#include <vcg_extras/core/base/packed_normal.h>
+#include <vcg_extras/core/base/packed.h>
 #include <vcg_extras/core/base/workers.h>
 
 namespace gpr {
