@@ -453,6 +453,7 @@ struct LabelledGrid {
 	std::vector<PatchRole> role = {PatchRole::Inside, PatchRole::Border, PatchRole::Border,
 								   PatchRole::Border};
 	std::vector<int>       label;
+	Workers                workers{1, nullptr};
 
 	LabelledGrid()
 	{
@@ -475,7 +476,7 @@ struct LabelledGrid {
 
 	void expectCleanedTo(const std::vector<int>& wanted)
 	{
-		cleanLabels(mesh, role, label);
+		cleanLabels(mesh, role, label, workers);
 		for (int v = 0; v < mesh.vertexNum; ++v)
 			EXPECT_EQ(label[std::size_t(v)], wanted[std::size_t(v)])
 				<< v % (n + 1) << ", " << v / (n + 1);
@@ -541,7 +542,7 @@ TEST(PatchLabels, NotchesBesideWhatLiesBeyondStay)
 	Pocket g;
 	g.role.push_back(PatchRole::Near);
 	g.put(11.0f / g.n, 10.0f / g.n, 4);
-	cleanLabels(g.mesh, g.role, g.label);
+	cleanLabels(g.mesh, g.role, g.label, g.workers);
 	EXPECT_EQ(g.label[std::size_t(g.lower)], 0);
 }
 
@@ -568,7 +569,8 @@ TEST(PatchLabels, ATubeBetweenTwoCellsStays)
 		label.push_back(z < 1 ? 1 : z > 2 ? 2 : 0);
 	}
 	const std::vector<int> before = label;
-	cleanLabels(tube, role, label);
+	Workers                workers(1, nullptr);
+	cleanLabels(tube, role, label, workers);
 	EXPECT_EQ(label, before);
 }
 

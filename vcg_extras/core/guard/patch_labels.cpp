@@ -23,9 +23,10 @@ public:
 	{
 	}
 
-	void run()
+	void run(Workers& workers)
 	{
 		for (int pass = 0; pass < maxPasses; ++pass) {
+			workers.poll();
 			findPieces();
 			const int changes = joinPieces() + joinEnclosed() + joinNotches();
 			if (changes == 0) return;
@@ -238,9 +239,9 @@ private:
 } // namespace
 
 void cleanLabels(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
-				 std::vector<int>& label)
+				 std::vector<int>& label, Workers& workers)
 {
-	Cleaning(mesh, role, label).run();
+	Cleaning(mesh, role, label).run(workers);
 }
 
 } // namespace gpr

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_GUARD_PATCH_LABELS_H
 #define VCG_EXTRAS_CORE_GUARD_PATCH_LABELS_H
 
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <vector>
@@ -18,7 +19,7 @@ enum class PatchRole : char { Far, Near, Border, Inside };
 /// and inner pieces enclosed by one or two cells, go to such a cell. label: per vertex of the mesh;
 /// role: per label. Cost: some passes over the mesh, serial.
 void cleanLabels(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
-				 std::vector<int>& label);
+				 std::vector<int>& label, Workers& workers);
 
 } // namespace gpr
 

@@ -75,7 +75,7 @@ public:
 	{
 		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
 		if (local_.isTooMuch) return false;
-		cleanLabels(local_.mesh, role_, local_.label);
+		cleanLabels(local_.mesh, role_, local_.label, workers_);
 		workers_.poll();
 		blameWideCells();
 		nameVertices();
