@@ -25,8 +25,8 @@ void cutBlocks(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void boundaryCurves(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Products&  made    = run.sampled();
-	const RunContext context = run.contextFor(workers);
+	const Products& made    = run.sampled();
+	RunContext      context = run.contextFor(workers);
 	timeEach(state,
 			 [&] { return sampleCurves(context, run.decisions(), made.samples.radius, made); });
 }
