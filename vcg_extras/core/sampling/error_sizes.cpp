@@ -136,25 +136,39 @@ public:
 	/// The vertices in the ball; the centre comes first.
 	const std::vector<Member>& members() const { return members_; }
 
-	/// Half of the extent, along a direction, of the first memberNum members, which lie within a
-	/// radius up to the collected radius, and of the edges cut there.
-	float halfExtent(std::size_t memberNum, float squaredRadius, const Vec3f& direction) const
+	/// Half of the extent of the whole disk along a direction.
+	float halfExtent(const Vec3f& direction) const
 	{
 		float least = 0, most = 0;
-		for (std::size_t i = 0; i < memberNum; ++i) {
-			const float height = dot(members_[i].place, direction);
+		for (const Member& m : members_) {
+			const float height = dot(m.place, direction);
 			least              = std::min(least, height);
 			most               = std::max(most, height);
 		}
 		// An edge that leaves has a member at its other end: most such edges end between the
 		// heights so far.
 		for (const Edge& e : edges_) {
-			if (e.squaredFrom > squaredRadius || e.squaredTo <= squaredRadius) continue;
+			if (e.squaredTo <= squaredRadius_) continue;
 			const float beyond = dot(e.to, direction);
 			if (beyond >= least && beyond <= most) continue;
-			const float height = heightOfCut(e, squaredRadius, direction, beyond);
+			const float height = heightOfCut(e, squaredRadius_, direction, beyond);
 			least              = std::min(least, height);
 			most               = std::max(most, height);
+		}
+		return 0.5f * (most - least);
+	}
+	/// Half of the extent along a direction, of the edges within a radius up to the collected
+	/// radius.
+	float halfExtent(float radius, const Vec3f& direction) const
+	{
+		const float squared = radius * radius;
+		float       least = 0, most = 0;
+		for (const Edge& e : edges_) {
+			if (e.squaredFrom > squared) continue;
+			float height = dot(e.to, direction);
+			if (e.squaredTo > squared) height = heightOfCut(e, squared, direction, height);
+			least = std::min(least, height);
+			most  = std::max(most, height);
 		}
 		return 0.5f * (most - least);
 	}
@@ -236,8 +250,7 @@ public:
 		Vec3f sum;
 		for (const Disk::Member& m : disk_.members())
 			sum += ring_[m.vertex].normal;
-		return disk_.halfExtent(disk_.members().size(), radii_.back() * radii_.back(),
-								normalized(sum));
+		return disk_.halfExtent(normalized(sum));
 	}
 	/// Flatness of all disks about the vertex of the last ofLargest. A disk larger than a disk less
 	/// flat than `enough` is not measured and gets the value before.
@@ -255,7 +268,7 @@ public:
 			while (num < members.size() && members[num].squaredDistance <= squared)
 				sum += ring_[members[num++].vertex].normal;
 			if (soFar <= enough)
-				soFar = std::max(soFar, disk_.halfExtent(num, squared, normalized(sum)));
+				soFar = std::max(soFar, disk_.halfExtent(radii_[k], normalized(sum)));
 			flatness[k] = soFar;
 		}
 		return flatness;
