@@ -119,7 +119,7 @@ TEST(GuardedCollapse, IsRefusedWhereAFaceTurnsAgainstWhatItStandsFor)
 	EXPECT_TRUE(flat.collapses());
 }
 
-TEST(GuardedCollapse, IsAllowedWhereFacesWereAgainstWhatTheyStandForBefore)
+TEST(GuardedCollapse, IsAllowedWhereFacesWereAgainstAssignedNormalsBefore)
 {
 	Fan fan(slope);
 	fan.setNormals({0, 0, -1}, 1);
@@ -334,12 +334,12 @@ TEST(GuardedMesh, StandsForBordersThatAreMarked)
 	std::vector<int> name  = {0, 1, 2, 3};
 	const Vec3d      inside(0.5, 0.5, 0);
 	other.crease = Buffer<char>(std::size_t(other.halfEdgeNum()), 0);
-	g.standFor(other, name);
+	g.assign(other, name);
 	for (const Quadric& q : g.quadric)
 		EXPECT_NEAR(q.at(inside), 0, 1e-12) << "cut edges hold nothing";
 	for (int h = 0; h < other.halfEdgeNum(); ++h)
 		other.crease[h] = char(other.isBorderEdge(h));
-	g.standFor(other, name);
+	g.assign(other, name);
 	for (const Quadric& q : g.quadric)
 		EXPECT_GT(q.at(inside), 0.1);
 }

@@ -90,7 +90,7 @@ TEST(GuardedFlip, DoesNotTakeEdgesOfNeedlesForSharp)
 	EXPECT_FALSE(flips(quad(needle({-0.9, 0.8, 0.5})))) << "a face would turn by 58 degrees";
 }
 
-TEST(GuardedFlip, IsRefusedAgainstWhatFacesStandFor)
+TEST(GuardedFlip, IsRefusedAgainstAssignedNormals)
 {
 	GuardedMesh g = quad(ridge(0.1));
 	for (Vec3f& normal : g.normal)

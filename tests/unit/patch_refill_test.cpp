@@ -254,7 +254,7 @@ TEST(PatchRefill, IsRefusedWhereOtherBordersHaveTheirVertices)
 }
 
 /// The areas of vertices come from the input: their sum is the area of the input.
-TEST(PatchRefill, VerticesStandForTheInput)
+TEST(PatchRefill, VerticesHaveAssignedPointsOfTheInput)
 {
 	Random            random(7);
 	CoarseResult      coarse(icosphere(5), 0.2f, random);

@@ -469,7 +469,7 @@ void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& 
 
 } // namespace
 
-void StoodFor::add(int v, const Vec3f& place)
+void AssignedPoints::add(int v, const Vec3f& place)
 {
 	const int i = int(place_.size());
 	place_.push_back(place);
@@ -483,7 +483,7 @@ void StoodFor::add(int v, const Vec3f& place)
 	++list.num;
 }
 
-void StoodFor::merge(int from, int to)
+void AssignedPoints::merge(int from, int to)
 {
 	List& a = list_[std::size_t(to)];
 	List& b = list_[std::size_t(from)];
@@ -497,7 +497,7 @@ void StoodFor::merge(int from, int to)
 	b = {};
 }
 
-void StoodFor::rename(const Buffer<int>& newIndex, int vertexNum)
+void AssignedPoints::rename(const Buffer<int>& newIndex, int vertexNum)
 {
 	for (std::size_t v = 0; v < newIndex.size(); ++v) {
 		if (newIndex[v] >= 0) list_[std::size_t(newIndex[v])] = list_[v];
@@ -527,7 +527,7 @@ GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 	}
 }
 
-void GuardedMesh::standFor(const HalfEdgeMesh& other, const std::vector<int>& name)
+void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name)
 {
 	for (int v : name) {
 		if (v < 0) continue;

@@ -15,9 +15,9 @@
 namespace gpr {
 
 /// Points of a surface, assigned to the vertices of a mesh: a list per vertex.
-class StoodFor {
+class AssignedPoints {
 public:
-	explicit StoodFor(int vertexNum) : list_(std::size_t(vertexNum)) {}
+	explicit AssignedPoints(int vertexNum) : list_(std::size_t(vertexNum)) {}
 
 	void clear(int v) { list_[std::size_t(v)] = {}; }
 	void add(int v, const Vec3f& place);
@@ -54,7 +54,7 @@ struct GuardedMesh {
 								  ///< place
 	std::vector<Vec3f> anchorPlace;         ///< per vertex: position of the anchor
 	std::vector<char>  isFixed;             ///< per vertex: must not move
-	StoodFor           points;              ///< assigned vertices of the first mesh
+	AssignedPoints     points;              ///< assigned vertices of the first mesh
 	std::size_t        anchorNum   = 0;     ///< vertices of the first mesh
 	bool               hadContacts = false; ///< the first mesh had contacts
 
@@ -64,7 +64,7 @@ struct GuardedMesh {
 	/// Assigns the surface of another mesh to the vertices, in place of their own faces. name: per
 	/// vertex of the other mesh, its vertex here or -1. Border edges of the other mesh count if
 	/// marked as creases.
-	void standFor(const HalfEdgeMesh& other, const std::vector<int>& name);
+	void assign(const HalfEdgeMesh& other, const std::vector<int>& name);
 
 	/// Whether the cosine between a normal, of any length, and the assigned normals of three
 	/// vertices exceeds `cosine`. another: a fourth vertex with a share, or -1. True at a rim so

@@ -120,7 +120,7 @@ public:
 	void take(const std::vector<int>& keptInput, bool hasContacts, RefilledMesh& to)
 	{
 		to.guarded = std::make_unique<GuardedMesh>(std::move(mesh_), hasContacts);
-		standForInput(*to.guarded);
+		assignInput(*to.guarded);
 		fix(keptInput, *to.guarded);
 		to.resultVertex = std::move(resultVertex_);
 		to.inputVertex  = std::move(inputVertex_);
@@ -364,7 +364,7 @@ private:
 
 	/// Assigns the working surface to the vertices in and round patches, in place of the triangles
 	/// of the first filling or of the result.
-	void standForInput(GuardedMesh& g) const { g.standFor(local_.mesh, nameOfLocal_); }
+	void assignInput(GuardedMesh& g) const { g.assign(local_.mesh, nameOfLocal_); }
 
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
 	{
