@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
-#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -75,9 +74,8 @@ private:
 
 	void run(const std::vector<float>& most, Workers& workers)
 	{
-		Poller poller(workers);
 		while (!front_.empty() && reached_.size() <= mostReached_) {
-			poller.count();
+			workers.poll();
 			const Entry e = front_.top();
 			front_.pop();
 			// A vertex too far from its nearest vertex of the result belongs to no cell, so that no
@@ -105,9 +103,10 @@ public:
 			local_.label.push_back(cells.labelOf(v));
 	}
 
-	PatchInput run()
+	PatchInput run(Workers& workers)
 	{
 		collectFaces();
+		workers.poll();
 		HalfEdgeMesh& to = local_.mesh;
 		reserve(to, local_.ownNum, int(face_.size()));
 		to.mirrorAxis = m_.mirrorAxis;
@@ -286,7 +285,7 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 {
 	const std::size_t most = mostVerticesFor(role);
 	const LocalCells  cells(surface, result, role, reach, most, workers);
-	PatchInput        local = Extraction(surface.mesh, cells).run();
+	PatchInput        local = Extraction(surface.mesh, cells).run(workers);
 	PatchSubdivision(result.mesh, role, local).run(most, workers);
 	local.share     = double(local.mesh.vertexNum) / double(most);
 	local.isTooMuch = local.share > 1;

@@ -4,6 +4,7 @@
 
 #include "patch_input.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -309,7 +310,7 @@ private:
 			mesh_.outgoing[a] = h;
 			edges.push_back({std::min(a, b), std::max(a, b), h});
 		}
-		std::sort(edges.begin(), edges.end());
+		sortPolled(edges.begin(), edges.end(), workers_);
 		return edges;
 	}
 
@@ -331,8 +332,9 @@ private:
 	bool link()
 	{
 		placeVertices();
-		const std::vector<Edge> edges   = placeHalfEdges();
-		bool                    isSound = true;
+		const std::vector<Edge> edges = placeHalfEdges();
+		workers_.poll();
+		bool isSound = true;
 		for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
 			while (end < edges.size() && edges[end].isSame(edges[i]))
 				++end;
