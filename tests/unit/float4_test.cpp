@@ -29,6 +29,18 @@ void expectSameBits(const Vec3f& a, const Vec3f& b)
 	EXPECT_EQ(bitsOf(a.z), bitsOf(b.z));
 }
 
+/// Vectors with random coordinates from -3 to 3.
+class RandomVectors {
+public:
+	explicit RandomVectors(unsigned seed) : random_(seed) {}
+
+	Vec3f operator()() { return Vec3f(number_(random_), number_(random_), number_(random_)); }
+
+private:
+	std::mt19937                          random_;
+	std::uniform_real_distribution<float> number_{-3, 3};
+};
+
 } // namespace
 
 TEST(Float4, HasTheBitsOfSingleFloats)
@@ -53,9 +65,7 @@ TEST(Float4, HasTheBitsOfSingleFloats)
 
 TEST(Float4, ProductsHaveTheBitsOfTheProductsOfVectors)
 {
-	std::mt19937                          random(8);
-	std::uniform_real_distribution<float> number(-3, 3);
-	const auto vector = [&] { return Vec3f(number(random), number(random), number(random)); };
+	RandomVectors vector(8);
 	for (int i = 0; i < 1000; ++i) {
 		const Vec3f  a = vector(), b = vector();
 		const Float4 x(a), y(b);
@@ -69,9 +79,7 @@ TEST(Float4, ProductsHaveTheBitsOfTheProductsOfVectors)
 
 TEST(SymmetricLanes, HaveTheBitsOfTheMatrix)
 {
-	std::mt19937                          random(9);
-	std::uniform_real_distribution<float> number(-3, 3);
-	const auto vector = [&] { return Vec3f(number(random), number(random), number(random)); };
+	RandomVectors vector(9);
 	for (int i = 0; i < 1000; ++i) {
 		const Vec3f    n = vector(), v = vector();
 		SymmetricLanes lanes = SymmetricLanes::outer(n) * 2;

@@ -14,7 +14,6 @@
 #include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -23,13 +22,6 @@
 namespace gpr {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-	return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The failure of the exception being handled, by its type.
 Failure failureAtHand()
@@ -81,12 +73,12 @@ Result failed(const Failure& failure, Result&& soFar)
 template <class Result, class Body, class... Arguments>
 Result guarded(const Body& body, const Arguments&... arguments)
 {
-	const auto start = Clock::now();
+	const auto start = StageClock::Clock::now();
 	Result     result;
 	try {
 		body(arguments..., result);
 		result.status               = Status::Ok;
-		result.report.remeshSeconds = secondsSince(start);
+		result.report.remeshSeconds = StageClock::secondsSince(start);
 	}
 	catch (...) {
 		result = failed(failureAtHand(), std::move(result));

@@ -21,6 +21,16 @@ struct Box {
 	Box() = default;
 	Box(const Vec3<S>& a, const Vec3<S>& b) : low(a), high(b) {}
 
+	/// The box of some points: an array or another range.
+	template <class Points>
+	static Box ofPoints(const Points& points)
+	{
+		Box box;
+		for (const Vec3<S>& p : points)
+			box.add(p);
+		return box;
+	}
+
 	void add(const Vec3<S>& p) { *this += Box(p, p); }
 	/// Enlarges the box by box b. An operator, so that Workers::sum can join the boxes of pieces.
 	Box& operator+=(const Box& b)

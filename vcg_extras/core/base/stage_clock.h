@@ -25,6 +25,10 @@ struct WorkShare {
 class StageClock {
 public:
 	using Clock = std::chrono::steady_clock;
+	static double secondsSince(Clock::time_point start)
+	{
+		return std::chrono::duration<double>(Clock::now() - start).count();
+	}
 
 	/// whole: the range of this run, if a call runs the pipeline several times. The first stage
 	/// counts from `start`.

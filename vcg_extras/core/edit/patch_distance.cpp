@@ -24,9 +24,7 @@ public:
 		box_.reserve(triangles.size());
 		plane_.reserve(triangles.size());
 		for (const std::array<Vec3f, 3>& t : triangles) {
-			box_.emplace_back(t[0], t[0]);
-			box_.back().add(t[1]);
-			box_.back().add(t[2]);
+			box_.push_back(Box<float>::ofPoints(t));
 			plane_.emplace_back(Corners{t[0], t[1], t[2]});
 		}
 	}

@@ -93,8 +93,7 @@ public:
 	/// Cost: as for the constructor, up to the first vertex that decides.
 	bool isKeptBy(const Triangles& triangles) const;
 
-	/// The number of distances from single triangles in the measurement; a comparison takes about
-	/// as many.
+	/// The number of triangles looked at in the measurement; a comparison looks at about as many.
 	std::int64_t work() const { return work_; }
 
 private:

@@ -204,13 +204,13 @@ std::vector<float> turnsAtPoints(const Curve& c)
 /// Marks the corners of a feature line: points whose own turn stands out from the points round,
 /// which never happens on a tessellated arc, and points away from these with a turn above
 /// cornerTurn.
-std::vector<char> findCreaseCorners(const Curve& c, float window)
+std::vector<char> findCreaseCorners(const Curve& c, const std::vector<float>& turn, float window)
 {
-	const std::vector<float> turn = turnsAtPoints(c);
+	const std::vector<float> ownTurn = turnsAtPoints(c);
 	std::vector<char>        kinks(c.pointNum(), 0);
 	for (int i = 0; i < c.pointNum(); ++i)
-		kinks[i] = turn[i] > kinkTurn && standsOut(c, turn, i, window);
-	std::vector<char> corners = findTurns(c, turnsOver(c, window), window);
+		kinks[i] = ownTurn[i] > kinkTurn && standsOut(c, ownTurn, i, window);
+	std::vector<char> corners = findTurns(c, turn, window);
 	for (int i = 0; i < c.pointNum(); ++i) {
 		const bool alone = forEachWithin(c, i, window, [&](int k) { return !kinks[k]; });
 		corners[i]       = kinks[i] || (corners[i] && alone);
@@ -434,17 +434,17 @@ private:
 		}
 	}
 
-	/// Marks the corners and nodes on the loop.
-	std::vector<char> cornersOfLoop(const Curve& c) const
+	/// Marks the corners and nodes on the loop. turn: see turnsOver.
+	std::vector<char> cornersOfLoop(const Curve& c, const std::vector<float>& turn) const
 	{
 		const float window   = windowOf(c);
 		const bool  onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
 		const bool  followsTurns = border_ != BoundaryMode::Free && border_ != BoundaryMode::Smooth;
 		std::vector<char> corners(c.pointNum(), 0);
 		if (onCrease)
-			corners = findCreaseCorners(c, window);
+			corners = findCreaseCorners(c, turn, window);
 		else if (followsTurns)
-			corners = findTurns(c, turnsOver(c, window), window);
+			corners = findTurns(c, turn, window);
 		for (int i = 0; i < c.pointNum(); ++i)
 			corners[i] = corners[i] || isStop(c.vertex[i]);
 		return corners;
@@ -452,14 +452,14 @@ private:
 
 	void sampleLoop(const Curve& c)
 	{
-		const std::vector<char> isCorner = cornersOfLoop(c);
-		std::vector<float>      stops;
+		const std::vector<float> turn     = turnsOver(c, windowOf(c));
+		const std::vector<char>  isCorner = cornersOfLoop(c, turn);
+		std::vector<float>       stops;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if (isCorner[i]) stops.push_back(c.arc[i]);
 		}
 		const bool hasCorners = !stops.empty();
 		if (!hasCorners) { // the loop begins at its sharpest turn
-			const std::vector<float> turn = turnsOver(c, windowOf(c));
 			stops.push_back(c.arc[std::max_element(turn.begin(), turn.end()) - turn.begin()]);
 		}
 		const int n = int(stops.size());
@@ -482,7 +482,7 @@ private:
 	void addSharedStops(int index)
 	{
 		const Curve&            c        = out_.curves[index];
-		const std::vector<char> isCorner = cornersOfLoop(c);
+		const std::vector<char> isCorner = cornersOfLoop(c, turnsOver(c, windowOf(c)));
 		int                     stopNum  = 0;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if (isCorner[i] && shared_->isOnShared(index, i)) shared_->addStop(index, i);
@@ -508,7 +508,7 @@ private:
 	/// shared segments.
 	std::vector<int> sharedStops(const Curve& c) const
 	{
-		const std::vector<char> isCorner = cornersOfLoop(c);
+		const std::vector<char> isCorner = cornersOfLoop(c, turnsOver(c, windowOf(c)));
 		std::vector<int>        stops;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			const bool isOwn = isCorner[i] && !shared_->isOnShared(index_, i);

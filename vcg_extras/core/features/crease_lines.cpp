@@ -384,14 +384,8 @@ private:
 	{
 		const float spread = spreadAtApex(rules_.strongDeg);
 		if (spread <= pointedSpread && !surface_.normal[v].isPointed()) return false;
-		Float4 sum;
-		float  area = 0;
-		forEachFaceRound(m_, v, [&](int, const Float4& a, const Float4& b) {
-			const Float4 n = cross(a, b);
-			sum += n;
-			area += length(n);
-		});
-		return length(sum) < spread * area;
+		const RingSum ring = ringSum(m_, v);
+		return length(ring.normal) < spread * ring.area;
 	}
 
 	bool isConeApex(int v) const

@@ -8,18 +8,6 @@
 
 namespace gpr {
 
-namespace {
-
-Box<float> boxOf(const NamedTriangle& t)
-{
-	Box<float> box;
-	for (const Vec3f& p : t.at)
-		box.add(p);
-	return box;
-}
-
-} // namespace
-
 ContactGuard::ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& workers) :
 		m_(mesh), hadContacts_(hadContacts), workers_(workers),
 		goneIn_(std::size_t(mesh.faceNum), 0)
@@ -49,7 +37,7 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 	boxOfMade_.clear();
 	Box<float> all;
 	for (const NamedTriangle& t : made) {
-		boxOfMade_.push_back(boxOf(t));
+		boxOfMade_.push_back(Box<float>::ofPoints(t.at));
 		all += boxOfMade_.back();
 	}
 	if (comesToMirrorImage(made, gone)) return false;

@@ -171,9 +171,8 @@ public:
 	/// Stops above `most` vertices.
 	void run(std::size_t most, Workers& workers)
 	{
-		do
+		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0)
 			workers.poll();
-		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0);
 	}
 
 private:

@@ -217,7 +217,7 @@ private:
 			isLost_[std::size_t(v)] = 1;
 	}
 
-	/// Per component.
+	/// Per component: the number of its faces.
 	static std::vector<int> faceNumOf(const Components& components)
 	{
 		std::vector<int> num(std::size_t(components.num), 0);

@@ -156,6 +156,24 @@ inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
 	} while (h >= 0 && h != first);
 }
 
+/// The faces round a vertex, added up.
+struct RingSum {
+	Vec3f normal;   ///< sum of face normals, each twice the face area long
+	float area = 0; ///< twice the sum of face areas
+};
+
+inline RingSum ringSum(const HalfEdgeMesh& m, int v)
+{
+	Float4 normal;
+	float  area = 0;
+	forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) {
+		const Float4 ofFace = cross(a, b);
+		normal += ofFace;
+		area += length(ofFace);
+	});
+	return {normal.xyz(), area};
+}
+
 /// Calls visit(w) for every neighbour w of v, including the end of the last border edge.
 template <class Visit>
 inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)

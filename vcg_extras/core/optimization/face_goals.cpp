@@ -71,7 +71,7 @@ private:
 	PoorFaceTest isPoor_;
 };
 
-/// The squared excess of the largest angle, on the scale of lackOfAngle: 1 at 180°.
+/// The squared excess of the largest angle, on the scale of LackOfAngle: 1 at 180°.
 float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
 {
 	const float rest = (float(pi) - obtuseAngle(m, f)) / (angleMargin * (float(pi) - largest));

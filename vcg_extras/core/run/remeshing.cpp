@@ -54,10 +54,11 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 
 RemeshOptions Call::optionsForMesh(std::size_t vertexNum) const
 {
-	const std::chrono::duration<double> spent  = StageClock::Clock::now() - start;
-	RemeshOptions                       inside = options;
-	if (inside.timeLimitSeconds > 0)
-		inside.timeLimitSeconds = std::max(1e-3, inside.timeLimitSeconds - spent.count());
+	RemeshOptions inside = options;
+	if (inside.timeLimitSeconds > 0) {
+		inside.timeLimitSeconds =
+			std::max(1e-3, inside.timeLimitSeconds - StageClock::secondsSince(start));
+	}
 	if (inside.targetMode == TargetMode::Percent)
 		inside.targetPercent *= double(input.vertexNum) / double(vertexNum);
 	return inside;

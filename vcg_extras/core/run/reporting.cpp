@@ -4,7 +4,6 @@
 
 #include <vcg_extras/core/sampling/target.h>
 
-#include <chrono>
 #include <utility>
 
 namespace gpr {
@@ -116,8 +115,7 @@ void addTimes(const RemeshResult& half, StageClock& clock)
 
 void Told::addOtherRuns(StageClock::Clock::time_point start)
 {
-	const std::chrono::duration<double> whole = StageClock::Clock::now() - start;
-	double                              other = whole.count();
+	double other = StageClock::secondsSince(start);
 	for (const StageTime& s : report.stages)
 		other -= s.seconds;
 	report.stages.push_back({"otherTrials", other});

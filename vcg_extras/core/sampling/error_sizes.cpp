@@ -54,11 +54,7 @@ Radii radiiFor(const ErrorSizeRequest& request)
 	return radii;
 }
 
-/// Sums over the faces round a vertex.
-struct Ring {
-	Vec3f normal;   ///< sum of face normals, each twice the face area long
-	float area = 0; ///< twice the sum of face areas
-
+struct Ring : RingSum {
 	/// The area nearest to the vertex: a third of its faces.
 	float ownArea() const { return area / 6; }
 	/// 1 on flat ground, less if the normals of the faces differ.
@@ -68,16 +64,7 @@ struct Ring {
 Buffer<Ring> ringsOf(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<Ring> ring(m.vertexNum);
-	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
-		Float4 normal;
-		float  area = 0;
-		forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) {
-			const Float4 ofFace = cross(a, b);
-			normal += ofFace;
-			area += length(ofFace);
-		});
-		ring[v] = {normal.xyz(), area};
-	});
+	workers.forEach(std::size_t(m.vertexNum), [&](int v) { ring[v] = {ringSum(m, v)}; });
 	return ring;
 }
 

@@ -27,14 +27,6 @@ constexpr std::size_t batchSize = 1u << 17;
 /// Pieces cut at once: at least leastCuts; of many pieces, the quarter with the largest bounds.
 constexpr std::size_t leastCuts = 8192, cutShare = 4;
 
-Box<double> boxOf(const Triangle& t)
-{
-	Box<double> box;
-	for (const Vec3d& p : t)
-		box.add(p);
-	return box;
-}
-
 Vec3d centreOf(const Triangle& t)
 {
 	return (t[0] + t[1] + t[2]) * (1.0 / 3);
@@ -220,7 +212,8 @@ private:
 			if (isDone(found[i].bound)) continue;
 			for (int t = from_.groupBegin(level, int(i)); t < from_.groupBegin(level, int(i) + 1);
 				 ++t) {
-				if (isInRegions(boxOf(from_.triangle(t)))) faces_.push_back({t, found[i].nearest});
+				if (isInRegions(Box<double>::ofPoints(from_.triangle(t))))
+					faces_.push_back({t, found[i].nearest});
 			}
 		}
 	}
