@@ -112,9 +112,10 @@ public:
 	}
 
 	/// Collapses edges until the number of vertices is the result's, or no collapse is possible.
-	void decimate(bool inputHasContacts)
+	void decimate()
 	{
-		guarded_ = std::make_unique<GuardedMesh>(putTogether(), inputHasContacts);
+		HalfEdgeMesh together = putTogether();
+		guarded_              = std::make_unique<GuardedMesh>(std::move(together), hadContacts_);
 		fixVertices();
 		GuardedSettings settings;
 		settings.targetNum        = result_.mesh.vertexNum;
@@ -126,6 +127,8 @@ public:
 	}
 
 	std::int64_t reached() const { return guarded_->mesh.vertexNum; }
+	/// Whether the taken components of the input had contacts.
+	bool hadContacts() const { return hadContacts_; }
 
 	/// Makes the decimated mesh more regular. False if degenerate faces are left, as between fixed
 	/// vertices.
@@ -158,7 +161,8 @@ private:
 									  ///< -1
 	std::vector<int> ofResult_;       ///< per vertex of the result: vertex of the combined mesh,
 									  ///< or -1
-	int                          inputNum_ = 0; ///< vertices of the combined mesh from the input
+	int                          inputNum_    = 0; ///< vertices of the combined mesh from the input
+	bool                         hadContacts_ = false;
 	std::unique_ptr<GuardedMesh> guarded_;
 
 	/// With sizes by the error, distance counts more than length.
@@ -172,6 +176,7 @@ private:
 			HalfEdgeMesh m;
 			m.mirrorAxis = result_.mesh.mirrorAxis;
 			append(making_.surface.mesh, parts_.ofInput, parts_.isTaken, m, ofInput_);
+			hadContacts_         = !findTouchingPairs(m, workers_, Seams::Apart).empty();
 			inputNum_            = m.vertexNum;
 			const int inputFaces = m.faceNum;
 			append(result_.mesh, parts_.ofResult, parts_.isLeft, m, ofResult_);
@@ -223,14 +228,15 @@ private:
 
 /// Makes components anew if possible.
 ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vector<int>& faces,
-								 bool inputHasContacts, ResultMesh& result, Workers& workers)
+								 ResultMesh& result, Workers& workers)
 {
 	const std::int64_t before = result.mesh.vertexNum;
 	Replacement replacement(making, result, chooseParts(making.surface, result, faces, workers),
 							workers);
-	replacement.decimate(inputHasContacts);
+	replacement.decimate();
 	const std::int64_t reached = replacement.reached();
-	if (reached > before && inputHasContacts) return {before}; // no promise for such an input
+	if (reached > before && replacement.hadContacts())
+		return {before}; // no promise for such an input
 	if (reached > before && !making.mayEndAbove) return {reached, true};
 	// Degenerate faces of the input have contacts of their neighbours: no promise there either.
 	if (!replacement.relax()) return {before};
@@ -251,11 +257,8 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 	ContactOutcome outcome{result.mesh.vertexNum};
 	// Whole sheets made anew would lose their junctions with other sheets.
 	outcome.isRefused = !pairs.empty() && result.mesh.meetsAtPlaces;
-	if (!pairs.empty() && !result.mesh.meetsAtPlaces) {
-		const bool inputHasContacts =
-			!findTouchingPairs(making.surface.mesh, workers, Seams::Apart).empty();
-		outcome = replaceComponents(making, facesOf(pairs), inputHasContacts, result, workers);
-	}
+	if (!pairs.empty() && !result.mesh.meetsAtPlaces)
+		outcome = replaceComponents(making, facesOf(pairs), result, workers);
 	outcome.isCapped = isCapped;
 	return outcome;
 }
