@@ -220,6 +220,21 @@ TriangleMesh tube(double width)
 	return mesh;
 }
 
+/// The guard makes the half anew, and its new vertices on the plane lie on no curve. The count that
+/// follows splits edges between such vertices.
+TEST(Symmetry, HalvesMadeAnewAreCountedOn)
+{
+	const TriangleMesh mesh = torus(16, 8);
+	for (const Symmetry symmetry : {Symmetry::X, Symmetry::Y, Symmetry::Z}) {
+		for (int num = 12; num <= 20; ++num) {
+			const RemeshResult result = remesh(mesh.view(), symmetric(symmetry, num));
+			if (result.status == Status::CountTooSmall) continue;
+			ASSERT_EQ(result.status, Status::Ok) << result.message;
+			expectSymmetric(result.mesh, int(symmetry) - int(Symmetry::X), 0);
+		}
+	}
+}
+
 /// With few vertices, an open border of the half could have no vertex off the plane.
 TEST(Symmetry, TubesWithFewVerticesStayOpen)
 {

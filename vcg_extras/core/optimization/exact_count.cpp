@@ -367,14 +367,26 @@ private:
 		if (flipKeepsShape(m_, h)) flip(m_, h);
 	}
 
-	ResultVertex middleOfBorderEdge(int h) const
+	/// The middle of a border edge and its place: on the curve, or straight between vertices made
+	/// by the guard, which are on no curve.
+	ResultVertex middleOfBorderEdge(int h, Vec3f& place) const
 	{
-		const ResultVertex& ra = r_.vertex[m_.origin[h]];
-		const Curve&        c  = boundary_.curves[ra.curve];
+		const int           a = m_.origin[h], b = m_.target(h);
+		const ResultVertex &ra = r_.vertex[a], &rb = r_.vertex[b];
 		ResultVertex        middle;
-		middle.curve  = ra.curve;
-		middle.arc    = c.wrap(ra.arc + 0.5f * c.wrap(r_.vertex[m_.target(h)].arc - ra.arc));
-		middle.point  = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+		if (ra.curve < 0 || rb.curve < 0) {
+			place         = (m_.position[a] + m_.position[b]) * 0.5f;
+			middle.isMade = true;
+			middle.point =
+				nearestByDescent(surface_.mesh, surface_.mesh.origin[3 * ra.point.face], place);
+		}
+		else {
+			const Curve& c = boundary_.curves[ra.curve];
+			middle.curve   = ra.curve;
+			middle.arc     = c.wrap(ra.arc + 0.5f * c.wrap(rb.arc - ra.arc));
+			middle.point   = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+			place          = middle.point.position;
+		}
 		middle.normal = surface_.mesh.faceNormal(middle.point.face);
 		return middle;
 	}
@@ -383,18 +395,19 @@ private:
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		if (isUsed(a) || isUsed(b) || isUsed(m_.apex(h))) return false;
-		const ResultVertex middle = middleOfBorderEdge(h);
-		if (middle.point.position == m_.position[a] || middle.point.position == m_.position[b])
-			return false;
-		splitBorderEdge(m_, h, append(middle));
+		Vec3f              place;
+		const ResultVertex middle = middleOfBorderEdge(h, place);
+		if (place == m_.position[a] || place == m_.position[b]) return false;
+		splitBorderEdge(m_, h, append(middle, place));
 		used_[a] = used_[b] = 1;
 		return true;
 	}
 
-	int append(const ResultVertex& vertex)
+	int append(const ResultVertex& vertex) { return append(vertex, vertex.point.position); }
+	int append(const ResultVertex& vertex, const Vec3f& place)
 	{
 		const int v    = m_.vertexNum++;
-		m_.position[v] = vertex.point.position;
+		m_.position[v] = place;
 		r_.vertex.push_back(vertex);
 		++r_.splitNum;
 		return v;
@@ -431,7 +444,8 @@ private:
 	{
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
 			if (isDeadFace(m_, h / 3) || !m_.isBorderEdge(h) || !isAlongMirror(h)) continue;
-			const Vec3f middle = middleOfBorderEdge(h).point.position;
+			Vec3f middle;
+			middleOfBorderEdge(h, middle);
 			if (m_.multiplicity(middle) == 1 && !isFlatHalf(h / 3)) continue;
 			reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
 			used_.assign(m_.vertexNum, 0);
