@@ -350,14 +350,18 @@ std::string Plan::judge(const LineFacts& facts)
 float Plan::correctedRadius(const SampleFacts& facts) const
 {
 	constexpr float aim = 0.985f; // of the wanted number
-	// A small surplus of samples is soon merged and not worth another sampling.
-	constexpr float fewest = 0.98f, most = 1.035f;
+	// A small surplus of samples is soon merged and not worth another sampling. Where the first
+	// sampling is usually right, noise and thin parts may still cost a fifth of the samples or
+	// more; with far fewer samples, the components and their topology take the vertices.
+	const float     fewest = facts.mayMiss ? 0.98f : 0.85f;
+	constexpr float most = 1.035f, fewestByNoise = 0.4f;
 	constexpr float maxFixed = 0.7f;
 	const float     kept     = float(attempts_.keptNum);
 	const float     target   = float(decisions_.spacedFor());
 	const float     wanted   = aim * target - kept;
 	const float     share    = (float(facts.num) - kept) / wanted;
 	if (!(wanted > 0) || (share >= fewest && share <= most)) return facts.radius;
+	if (!facts.mayMiss && !(share >= fewestByNoise && share < 1)) return facts.radius;
 	if (float(facts.onCurveNum) - kept > maxFixed * (target - kept)) return facts.radius;
 	if (attempts_.keptNum == 0) return facts.radius * std::sqrt(share);
 	// Edges are split for this radius; much smaller disks would hold no vertices.
@@ -368,10 +372,10 @@ float Plan::correctedRadius(const SampleFacts& facts) const
 
 std::string Plan::judge(const SampleFacts& facts)
 {
-	const int   most      = attempts_.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
-	const float corrected = correctedRadius(facts);
-	const bool  isCorrected =
-		facts.mayMiss && attempts_.correctionNum < most && corrected != facts.radius;
+	const int   most        = attempts_.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
+	const float corrected   = correctedRadius(facts);
+	const bool  isCorrected = (facts.mayMiss || !isPaper(request_.options)) &&
+							 attempts_.correctionNum < most && corrected != facts.radius;
 	attempts_.correctionNum += isCorrected;
 	if (isCorrected) decisions_.radius = corrected;
 	return returnIf(isCorrected, Step::Samples);

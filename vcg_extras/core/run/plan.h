@@ -111,7 +111,7 @@ struct LineFacts {
 	double share = 0; ///< of the vertices, on borders and feature lines; 0: no lines
 };
 struct SampleFacts {
-	bool         mayMiss    = false; ///< the first sampling may miss the count by much
+	bool         mayMiss    = false; ///< the first sampling often misses the count
 	std::int64_t num        = 0;
 	std::int64_t onCurveNum = 0; ///< samples on borders and feature lines
 	float        radius     = 0; ///< of the largest disks, working units
