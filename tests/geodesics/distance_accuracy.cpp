@@ -111,7 +111,7 @@ Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int 
 	Accuracy            sum;
 	NearestField        field;
 	field.nearest.reset(m.vertexNum);
-	field.trial        = Buffer<NearestField::Trial>(std::size_t(m.vertexNum), {0, 0});
+	field.mark         = Buffer<NearestField::Mark>(std::size_t(m.vertexNum), {0, 0});
 	const float radius = float(reach) * ground.radius;
 	DiskFlood   flood(FloodGround{m, ground.surface.normal, nullptr, metric == Metric::Default},
 					  field, radius);
@@ -138,7 +138,7 @@ Accuracy measureUnderStretch(int cellNum, double radius, int sourceNum, std::uin
 		stretch[v] = float(1 / place(m.position[v]).y);
 	NearestField field;
 	field.nearest.reset(m.vertexNum);
-	field.trial         = Buffer<NearestField::Trial>(std::size_t(m.vertexNum), {0, 0});
+	field.mark          = Buffer<NearestField::Mark>(std::size_t(m.vertexNum), {0, 0});
 	const double inUnit = radius * surface.frame.scale;
 	DiskFlood    flood(FloodGround{m, surface.normal, &stretch, false}, field, float(inUnit));
 	Accuracy     sum;

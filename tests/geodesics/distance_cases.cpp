@@ -27,7 +27,7 @@ std::vector<DistanceCase> madeDistanceCases()
 		{"plane", "plane, jittered grid", jitteredGrid(60, 0.3, random), 10, 0.002, 0.12},
 		{"sphere", "sphere", icosphere(5)},
 		{"torus", "torus", torus(120, 60)},
-		{"coarseTorus", "torus, disks a quarter round the tube", torus(60, 30), 2},
+		{"coarseTorus", "torus, disks a quarter round the tube", torus(60, 30), 2, 0.01, 0.08},
 		{"bumpySphere", "bumpy sphere", bumpySphere(5)},
 		{"needles", "sphere of latitudes and longitudes: needles at the poles", uvSphere(60, 120)},
 		{"noisySphere", "sphere with noise", noisySphere(5, 0.004, random)},
@@ -38,7 +38,7 @@ std::vector<DistanceCase> madeDistanceCases()
 
 std::vector<DistanceCase> modelDistanceCases()
 {
-	return {{"igea_269k", "igea_269k, a scan", {}},
+	return {{"igea_269k", "igea_269k, a scan", {}, 10, 0.004, 0.09},
 			{"fandisk_13k_cad", "fandisk_13k, a machine part", {}}};
 }
 

@@ -28,7 +28,7 @@ public:
 	{
 		field.nearest =
 			Buffer<NearestField::Nearest>(std::size_t(surface.mesh.vertexNum), {HUGE_VALF, -1});
-		field.trial = Buffer<NearestField::Trial>(std::size_t(surface.mesh.vertexNum), {0, 0});
+		field.mark = Buffer<NearestField::Mark>(std::size_t(surface.mesh.vertexNum), {0, 0});
 	}
 
 	float working(double callerLength) const { return float(callerLength * surface.frame.scale); }
@@ -266,18 +266,20 @@ TEST(UnfoldedDistance, IsTheStraightLineInThePlane)
 	int    crossed = 0;
 	for (int i = 0; i < 2000; ++i) {
 		// v at 0, b on the axis, a above, the source below.
-		const Vec3d  v, b(random.between(0.2, 2), 0, 0);
-		const Vec3d  a(random.between(-1, 2), random.between(0.1, 2), 0);
-		const Vec3d  s(random.between(-1, 2), random.between(-2, -0.1), 0);
-		const float  d = unfoldedDistance(float(length(s - v)), float(length(s - b)),
-										  float(length(b)), float(length(a)), float(length(a - b)));
-		const double x = s.x + (a.x - s.x) * -s.y / (a.y - s.y);
+		const Vec3d       v, b(random.between(0.2, 2), 0, 0);
+		const Vec3d       a(random.between(-1, 2), random.between(0.1, 2), 0);
+		const Vec3d       s(random.between(-1, 2), random.between(-2, -0.1), 0);
+		const UnfoldedWay way = unfold(float(length(s - v)), float(length(s - b)), float(length(b)),
+									   float(length(a)), float(length(a - b)));
+		const double      x   = s.x + (a.x - s.x) * -s.y / (a.y - s.y);
 		if (x > 0.01 && x < b.x - 0.01) {
 			++crossed;
-			ASSERT_NEAR(double(d), length(a - s), 1e-4);
+			ASSERT_NEAR(double(way.distance), length(a - s), 1e-4);
+			ASSERT_NEAR(double(way.share), x / b.x, 1e-4);
+			ASSERT_NEAR(double(way.toCrossing), length(Vec3d(x, 0, 0) - s), 1e-4);
 		}
 		else if (x < -0.01 || x > b.x + 0.01) {
-			ASSERT_EQ(d, HUGE_VALF) << "the line leaves the edge";
+			ASSERT_EQ(way.distance, HUGE_VALF) << "the line leaves the edge";
 		}
 	}
 	EXPECT_GT(crossed, 300);

@@ -134,7 +134,7 @@ private:
 		const int n = m_.vertexNum;
 		std::copy(surface_.normal.begin(), surface_.normal.begin() + n, normal_.begin());
 		std::fill(field_.nearest.begin(), field_.nearest.begin() + n, unreached);
-		std::fill(field_.trial.begin(), field_.trial.begin() + n, NearestField::Trial{0, 0});
+		std::fill(field_.mark.begin(), field_.mark.begin() + n, NearestField::Mark{0, 0});
 		if (!isStretched()) return;
 		for (int v = 0; v < n; ++v)
 			stretch_[v] = 1 / surface_.size[v];
@@ -154,7 +154,7 @@ private:
 		makeRoom(fused_, vertexRoom - m_.vertexNum);
 		normal_.resize(vertexRoom);
 		field_.nearest.resize(vertexRoom);
-		field_.trial.resize(vertexRoom);
+		field_.mark.resize(vertexRoom);
 		if (isStretched()) stretch_.resize(vertexRoom);
 	}
 
@@ -392,7 +392,7 @@ private:
 	void initVertex(int v, int a, int b)
 	{
 		field_.nearest[v] = unreached;
-		field_.trial[v]   = {0, 0};
+		field_.mark[v]    = {0, 0};
 		normal_[v]        = PackedNormal(normalized(normal_[a].unpack() + normal_[b].unpack()));
 		if (isStretched()) stretch_[v] = 0.5f * (stretch_[a] + stretch_[b]);
 	}
@@ -410,7 +410,7 @@ private:
 			++num;
 		});
 		field_.nearest[v] = unreached;
-		field_.trial[v]   = {0, 0};
+		field_.mark[v]    = {0, 0};
 		normal_[v]        = PackedNormal(normalized(normal));
 		if (isStretched()) stretch_[v] = stretch / float(std::max(num, 1));
 	}
@@ -420,8 +420,9 @@ private:
 	void takeDisk(int v)
 	{
 		crossed_.assign(1, v);
-		for (int w : flood_.visited()) {
-			if (w != v && !isCovered(w) && field_.trial[w].distance <= r_) crossed_.push_back(w);
+		for (const DiskFlood::Reached& w : flood_.reached()) {
+			if (w.vertex != v && !isCovered(w.vertex) && w.distance <= r_)
+				crossed_.push_back(w.vertex);
 		}
 		const int id = int(samples_.size()) - 1;
 		flood_.commit(id);

@@ -408,7 +408,7 @@ private:
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
 		// cross thousands; then border edges serve better.
 		const std::vector<int>& met = flood_.metSamples();
-		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
+		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.reached().size()))));
 		for (int t : met) {
 			if (t == s) continue;
 			addIntersections(s, t);
@@ -416,8 +416,8 @@ private:
 		}
 		// Border edges are only needed when the front has no intersections.
 		if (heap_.empty()) {
-			for (int v : flood_.visited()) {
-				if (sampleOf(v) == s) addBorderEdges(v);
+			for (const DiskFlood::Reached& v : flood_.reached()) {
+				if (sampleOf(v.vertex) == s) addBorderEdges(v.vertex);
 			}
 		}
 	}
@@ -686,10 +686,10 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	shared.ranges = makeRanges(surface, partition, radius, result.boundarySampleNum, workers);
 	shared.samples.reset(std::size_t(shared.ranges.back().firstSample) + shared.ranges.back().room);
 	shared.field.nearest.reset(m.vertexNum);
-	shared.field.trial.reset(m.vertexNum);
+	shared.field.mark.reset(m.vertexNum);
 	workers.forEach(m.vertexNum, [&](int v) {
 		shared.field.nearest[v] = {HUGE_VALF, -1};
-		shared.field.trial[v]   = {0, 0};
+		shared.field.mark[v]    = {0, 0};
 	});
 
 	std::vector<BlockSampler> samplers;

@@ -12,11 +12,19 @@ namespace {
 /// Cosine of about 37°: beyond, the chord says too little about the distance.
 constexpr float flatCosine = 0.8f;
 
-/// A settled vertex is visited again if a way shorter by this share turns up.
+/// Longest edge, over the disk's radius, of a face that is small against the disk.
+constexpr float fineEdge = 1 / 6.0f;
+/// A vertex passes its distance on again if a way shorter by this share turns up.
 constexpr float worthAnotherVisit = 1e-3f;
-/// Most repeated visits of vertices in a flood: among needles a way could get shorter bit by bit,
-/// nearly without end. On scans a flood revisits some per cent of its few dozen vertices.
-constexpr int maxVisitsAgain = 48;
+/// Most repeated visits of a flood, for each reached vertex: among needles a way could get shorter
+/// bit by bit, nearly without end.
+constexpr std::size_t mostVisitsAgain = 2;
+
+/// The length of a way along a chord between two places whose normals have this cosine.
+float bentLength(float chord, float cosine)
+{
+	return chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
+}
 
 } // namespace
 
@@ -28,7 +36,7 @@ constexpr int maxVisitsAgain = 48;
 ///     v -----x-----> b        The straight line from the source to a must cross v-b.
 ///         \  |  /
 ///          source
-float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB)
+UnfoldedWay unfold(float d1, float d2, float lengthVB, float lengthVA, float lengthAB)
 {
 	const float half   = 0.5f / lengthVB;
 	const float sx     = (d1 * d1 - d2 * d2 + lengthVB * lengthVB) * half;
@@ -36,23 +44,49 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 	const float sy     = std::sqrt(std::max(0.0f, d1 * d1 - sx * sx));
 	const float ay     = std::sqrt(std::max(0.0f, lengthVA * lengthVA - ax * ax));
 	const float height = sy + ay;
-	if (!(height > 0)) return HUGE_VALF;
+	if (!(height > 0)) return {};
 	const float crossing = sx + (ax - sx) * sy / height;
-	if (!(crossing >= 0 && crossing <= lengthVB)) return HUGE_VALF;
-	return std::sqrt((ax - sx) * (ax - sx) + height * height);
+	if (!(crossing >= 0 && crossing <= lengthVB)) return {};
+	const float distance = std::sqrt((ax - sx) * (ax - sx) + height * height);
+	return {distance, crossing / lengthVB, distance * sy / height};
 }
 
 void DiskFlood::explore(const Sample& sample)
 {
-	scale_ = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch contains the size
-	if (!useChords_ || !exploreFlat(sample)) exploreUnfolding(sample);
+	scale_  = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch contains the size
+	centre_ = sample.point.position;
+	isFine_ = useChords_ && isFineAt(sample.point.face);
+	isFlat_ = useChords_;
+	++flood_;
+	met_.clear();
+	reached_.clear();
+	again_.clear();
+	anchors_.assign(1, {centre_, sample.normal, 0});
+	for (int k = 0; k < 3; ++k) {
+		const int v = m_.origin[3 * sample.point.face + k];
+		reach(v, wayFrom(sample, v), useChords_ ? 0 : noAnchor);
+	}
+	std::size_t again = 0;
+	for (std::size_t i = 0; i < reached_.size() || again < again_.size();)
+		passOn(i < reached_.size() ? int(i++) : again_[again++]);
+	for (const Reached& r : reached_)
+		meet(r.vertex);
+}
+
+/// Whether the edges of a face are short against the disk.
+bool DiskFlood::isFineAt(int face) const
+{
+	float longest = 0;
+	for (int h = 3 * face; h < 3 * face + 3; ++h)
+		longest = std::max(longest, lengthOf(m_.position[m_.origin[h]], m_.position[m_.target(h)]));
+	return longest < fineEdge * radius_;
 }
 
 void DiskFlood::commit(int id)
 {
-	for (int v : queue_) {
-		NearestField::Nearest& n = field_.nearest[v];
-		if (field_.trial[v].distance < n.distance) n = {field_.trial[v].distance, id};
+	for (const Reached& r : reached_) {
+		NearestField::Nearest& n = field_.nearest[r.vertex];
+		if (r.distance < n.distance) n = {r.distance, id};
 	}
 }
 
@@ -66,166 +100,123 @@ void DiskFlood::meet(int vertex)
 	if (std::find(met_.begin(), met_.end(), n.sample) == met_.end()) met_.push_back(n.sample);
 }
 
-/// False: the disk is not flat.
-bool DiskFlood::exploreFlat(const Sample& sample)
-{
-	const int stamp = 2 * ++flood_;
-	queue_.clear();
-	met_.clear();
-	// The begins of the arrays are read once: the compiler cannot know that no write to the arrays
-	// changes their begins.
-	NearestField::Trial* const         trial    = field_.trial.data();
-	const NearestField::Nearest* const nearest  = field_.nearest.data();
-	const Vec3f* const                 position = m_.position.data();
-	const Vec3f                        centre = sample.point.position, normal = sample.normal;
-
-	const auto reach = [&](int v) {
-		if (trial[v].stamp >= stamp) return;
-		trial[v].stamp = stamp;
-		queue_.push_back(v);
-	};
-	for (int k = 0; k < 3; ++k)
-		reach(m_.origin[3 * sample.point.face + k]);
-	for (std::size_t i = 0; i < queue_.size(); ++i) {
-		const int   v      = queue_[i];
-		const float cosine = dot(normal_[v].unpack(), normal);
-		if (!(cosine >= flatCosine)) return false;
-		const float chord    = length(position[v] - centre) * scale_;
-		const float distance = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
-		trial[v].distance    = distance;
-		if (distance > radius_ || distance >= nearest[v].distance) continue;
-		forEachNeighbour(m_, v, reach);
-	}
-	for (int v : queue_)
-		meet(v);
-	return true;
-}
-
-void DiskFlood::exploreUnfolding(const Sample& sample)
-{
-	++flood_;
-	queue_.clear();
-	met_.clear();
-	heap_.clear();
-	visitedAgainNum_ = 0;
-	for (int k = 0; k < 3; ++k) {
-		const int v = m_.origin[3 * sample.point.face + k];
-		tryDistance(v, wayFrom(sample, v) * scale_);
-	}
-	while (!heap_.empty()) {
-		const HeapEntry            e = popHeap();
-		const NearestField::Trial& t = field_.trial[e.vertex];
-		if (e.distance > t.distance) continue;
-		settle(e.vertex, e.distance, sample);
-	}
-}
-
 /// The length from the sample straight to a corner of its face.
 float DiskFlood::wayFrom(const Sample& sample, int corner) const
 {
-	const float straight = length(m_.position[corner] - sample.point.position);
-	float       sum      = 3 * stretchAt(corner);
+	const float straight = lengthOf(sample.point.position, m_.position[corner]);
+	if (stretch_ == nullptr) return straight;
+	float sum = 3 * stretchAt(corner);
 	for (int k = 0; k < 3; ++k)
 		sum += stretchAt(m_.origin[3 * sample.point.face + k]);
-	return straight * (sum / 6); // in this order a stretch of 1 keeps the length to the bit
+	return straight * (sum / 6);
 }
 
-void DiskFlood::tryDistance(int vertex, float distance)
+/// Passes the distance of a reached vertex on to its neighbours: straight from the vertex's anchor
+/// where the anchor sees the neighbour, else along the edges and over the triangles at the vertex.
+void DiskFlood::passOn(int place)
 {
-	NearestField::Trial& t = field_.trial[vertex];
-	if (t.stamp == 2 * flood_ && distance >= t.distance) return;
-	if (t.stamp == 2 * flood_ + 1) {
-		if (distance >= t.distance * (1 - worthAnotherVisit)) return;
-		if (visitedAgainNum_ >= maxVisitsAgain) return;
-		++visitedAgainNum_;
-		t.distance = distance;
-	}
-	else {
-		t = {distance, 2 * flood_};
-	}
-	pushHeap({distance, vertex});
-}
-
-void DiskFlood::settle(int v, float distance, const Sample& sample)
-{
-	const int stamp = 2 * flood_;
-	if (field_.trial[v].stamp == stamp) {
-		field_.trial[v].stamp = stamp + 1;
-		queue_.push_back(v);
-		meet(v);
-	}
-	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
-
-	// Along the edges, and across every triangle with another settled corner.
-	ring_.clear();
+	reached_[place].isWaiting = false;
+	const Reached from        = reached_[place];
+	const int     v           = from.vertex;
+	if (!(from.distance < field_.nearest[v].distance) || from.distance > radius_) return;
+	// A copy, because new anchors may move the anchors in memory. Without an anchor the normal is
+	// zero, and nothing is seen.
+	const Anchor anchor   = from.anchor == noAnchor ? Anchor() : anchors_[from.anchor];
+	const auto   cosineAt = [&](int w) { return dot(normal_[w].unpack(), anchor.normal); };
+	bool         seesAll  = true;
 	forEachNeighbour(m_, v, [&](int w) {
-		ring_.push_back({w, length(m_.position[w] - m_.position[v]) * scale_});
+		// Each anchor gives a way once. On flat ground there is no other anchor.
+		const bool isOld = isReached(w);
+		if (isOld && (isFlat_ || (reachedAt(w).anchor == from.anchor && from.anchor != noAnchor)))
+			return;
+		const float cosine = cosineAt(w);
+		if (!(cosine >= flatCosine)) {
+			seesAll = false;
+			return;
+		}
+		const float chord    = lengthOf(anchor.place, m_.position[w]);
+		const float distance = anchor.distance + bentLength(chord, cosine);
+		if (isOld)
+			reachAgain(w, distance, from.anchor);
+		else
+			reachFirst(w, distance, from.anchor);
 	});
-	for (const Spoke& s : ring_)
-		tryDistance(s.vertex, distance + s.length * 0.5f * (stretchAt(v) + stretchAt(s.vertex)));
-	const bool isClosed = !m_.isBorderVertex(v);
-	for (std::size_t i = 0; i + !isClosed < ring_.size(); ++i)
-		unfoldBetween(v, ring_[i], ring_[i + 1 < ring_.size() ? i + 1 : 0], sample);
+	if (seesAll) return;
+	isFlat_             = false;
+	const auto isHidden = [&](int w) { return !(cosineAt(w) >= flatCosine); };
+	forEachNeighbour(m_, v, [&](int w) {
+		if (isHidden(w)) goAlong(from, w);
+	});
+	forEachOutgoing(m_, v, [&](int h) {
+		const int a = m_.target(h), b = m_.apex(h);
+		if (isReached(a) && isHidden(b)) goOver(from, h, a, b);
+		if (isReached(b) && isHidden(a)) goOver(from, h, b, a);
+	});
 }
 
-/// Tries the ways over the triangle of v and two consecutive neighbours.
-void DiskFlood::unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample)
+void DiskFlood::goAlong(const Reached& from, int v)
 {
-	const int  settled  = 2 * flood_ + 1;
-	const bool aSettled = field_.trial[a.vertex].stamp == settled;
-	const bool bSettled = field_.trial[b.vertex].stamp == settled;
-	if (!aSettled && !bSettled) return;
-	const float between = length(m_.position[b.vertex] - m_.position[a.vertex]) * scale_;
-	if (aSettled) unfoldOver(v, a, b, between, sample);
-	if (bSettled) unfoldOver(v, b, a, between, sample);
+	const float stretch = 0.5f * (stretchAt(from.vertex) + stretchAt(v));
+	const Vec3f at      = m_.position[from.vertex];
+	goOn(v, from.distance + lengthOf(at, m_.position[v]) * stretch,
+		 {at, normal_[from.vertex].unpack(), from.distance});
 }
 
-/// Tries the way to the third corner of a triangle over the edge between two settled corners, v and
-/// `known`. All edges of the triangle take the mean stretch of the triangle: stretched by the means
-/// of their own ends, three edges need not make a triangle.
-void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
-						   const Sample& sample)
+/// Goes over the edge between two reached vertices of the face of h. All edges of the face take the
+/// mean stretch of the face: stretched by the means of their own ends, three edges need not make a
+/// triangle.
+void DiskFlood::goOver(const Reached& from, int h, int known, int v)
 {
-	const float d1 = field_.trial[v].distance, d2 = field_.trial[known.vertex].distance;
-	const float s =
-		(stretchAt(v) + stretchAt(known.vertex) + stretchAt(wanted.vertex)) * (1 / 3.0f);
-	const float d = unfoldedDistance(d1, d2, s * known.length, s * wanted.length, s * between);
-	if (!(d < HUGE_VALF)) return;
+	const Vec3f       a = m_.position[from.vertex], b = m_.position[known], p = m_.position[v];
+	const float       s   = (stretchAt(from.vertex) + stretchAt(known) + stretchAt(v)) * (1 / 3.0f);
+	const UnfoldedWay way = unfold(from.distance, reachedAt(known).distance, s * lengthOf(a, b),
+								   s * lengthOf(a, p), s * lengthOf(b, p));
+	if (!(way.distance < HUGE_VALF)) return;
 	// No way on the surface is shorter than the chord, as every stretch is at least 1.
-	const float chord = length(m_.position[wanted.vertex] - sample.point.position) * scale_;
-	tryDistance(wanted.vertex, std::max(d, chord));
+	goOn(v, std::max(way.distance, lengthOf(centre_, p)),
+		 {a + (b - a) * way.share, m_.faceNormal(h / 3), way.toCrossing});
 }
 
-void DiskFlood::pushHeap(HeapEntry e)
+/// Reaches a vertex over a place where the way may bend: the next anchor. Among edges that are long
+/// against the disk, bends far from the best place would lengthen the ways, so unfolding goes on.
+void DiskFlood::goOn(int v, float distance, const Anchor& next)
 {
-	std::size_t i = heap_.size();
-	heap_.push_back(e);
-	while (i > 0) {
-		const std::size_t parent = (i - 1) / 2;
-		if (heap_[parent].distance <= e.distance) break;
-		heap_[i] = heap_[parent];
-		i        = parent;
-	}
-	heap_[i] = e;
+	if (!improves(v, distance)) return;
+	if (isFine_) anchors_.push_back(next);
+	reach(v, distance, isFine_ ? int(anchors_.size()) - 1 : noAnchor);
 }
 
-DiskFlood::HeapEntry DiskFlood::popHeap()
+bool DiskFlood::improves(int v, float distance) const
 {
-	const HeapEntry top  = heap_.front();
-	const HeapEntry last = heap_.back();
-	heap_.pop_back();
-	const std::size_t n = heap_.size();
-	std::size_t       i = 0;
-	while (n > 0) {
-		std::size_t child = 2 * i + 1;
-		if (child >= n) break;
-		if (child + 1 < n && heap_[child + 1].distance < heap_[child].distance) ++child;
-		if (heap_[child].distance >= last.distance) break;
-		heap_[i] = heap_[child];
-		i        = child;
+	if (!isReached(v)) return true;
+	const Reached& r = reachedAt(v);
+	return distance < (r.isWaiting ? r.distance : r.distance * (1 - worthAnotherVisit));
+}
+
+void DiskFlood::reach(int v, float distance, int anchor)
+{
+	if (isReached(v))
+		reachAgain(v, distance, anchor);
+	else
+		reachFirst(v, distance, anchor);
+}
+
+void DiskFlood::reachFirst(int v, float distance, int anchor)
+{
+	field_.mark[v] = {flood_, int(reached_.size())};
+	reached_.push_back({v, distance, anchor, true});
+}
+
+void DiskFlood::reachAgain(int v, float distance, int anchor)
+{
+	if (!improves(v, distance)) return;
+	const int place = field_.mark[v].place;
+	Reached&  r     = reached_[place];
+	if (!r.isWaiting) {
+		if (again_.size() >= mostVisitsAgain * reached_.size()) return;
+		again_.push_back(place);
 	}
-	if (n > 0) heap_[i] = last;
-	return top;
+	r = {v, distance, anchor, true};
 }
 
 } // namespace gpr

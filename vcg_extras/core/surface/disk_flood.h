@@ -8,6 +8,7 @@
 
 #include <vcg_extras/core/mesh/connect.h>
 
+#include <cmath>
 #include <vector>
 
 namespace gpr {
@@ -20,18 +21,19 @@ struct Sample {
 };
 
 /// Distances of every vertex of the working surface to its nearest sample. Distance and sample lie
-/// side by side, and so do trial distance and stamp, because both are read together.
+/// side by side, and so do both parts of a mark, because both are read together.
 struct NearestField {
 	struct Nearest {
 		float distance; ///< along the surface, over the sample's size; to the nearest sample so far
 		int   sample;   ///< nearest sample so far; -1: none
 	};
-	struct Trial {
-		float distance;
-		int   stamp; ///< 2·flood: reached by this flood; 2·flood + 1: settled by this flood
+	/// The last flood that reached a vertex, and the place of the vertex among the reached
+	/// vertices.
+	struct Mark {
+		int flood, place;
 	};
 	Buffer<Nearest> nearest;
-	Buffer<Trial>   trial;
+	Buffer<Mark>    mark;
 };
 
 /// The surface of a flood. The mesh may grow between floods. Under a density (paper §3.1.2, eq.
@@ -43,21 +45,40 @@ struct FloodGround {
 	bool useChords = true; ///< chords on flat disks without a stretch; false: unfolding everywhere
 };
 
+/// The straight way from a source over an edge to a vertex, in the plane.
+struct UnfoldedWay {
+	float distance   = HUGE_VALF; ///< infinite if the straight line does not cross the edge
+	float share      = 0;         ///< of the edge, from its first end to the crossing
+	float toCrossing = 0;         ///< distance from the source to the crossing
+};
+
 /// Computes geodesic distances from a sample up to the disk radius r, and assigns every vertex
 /// nearer to this sample than to its present sample (paper §3, step 3).
 ///
-/// Metric. If all normals of the disk are within 37° of the sample's normal n_s, the distance is
-/// the chord times (1 + (1 - n·n_s)/12), computed in a plain queue: no heap, and exact to third
-/// order on spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian
-/// 1998; Novotni & Klein 2002). A settled vertex is visited again if a shorter way turns up: at
-/// obtuse angles the triangle of the shortest way may be settled late. Accuracy:
-/// docs/accuracy_of_distances.md. The check of normals keeps a flood from the other side of a thin
-/// sheet. Lengths are divided by the sample's size, so that every disk ends at r. A vertex belongs
-/// to the sample with the smallest distance over its size. The first vertices without an
-/// improvement keep their trial distances, so that updates stay accurate at the borders of Voronoi
-/// cells. With a stretch all distances are propagated by unfolding.
+/// Metric. Ways are straight as long as the surface is nearly flat: from an anchor, first the
+/// sample, to all vertices with normals within 37° of the anchor's normal n_a, the way is the chord
+/// times (1 + (1 - n·n_a)/12), exact to third order on spheres. Beyond, triangles are unfolded
+/// (Kimmel and Sethian 1998; Novotni and Klein 2002). Where edges are shorter than a sixth of r,
+/// the point at which a way crosses an edge is the next anchor: then only ways over creases and
+/// tips are unfolded, and only there. A vertex with a noisy normal changes nothing, and a flood
+/// goes to the other side of a thin sheet round its rim only. Accuracy:
+/// docs/accuracy_of_distances.md.
+///
+/// Vertices pass their distances on in a plain queue, without a heap, and once more if a way
+/// shorter by a thousandth turns up. Lengths are divided by the sample's size, so that every disk
+/// ends at r. A vertex belongs to the sample with the smallest distance over its size. The first
+/// vertices without an improvement keep their distances, so that updates stay accurate at the
+/// borders of Voronoi cells. With a stretch all distances are found by unfolding.
 class DiskFlood {
 public:
+	/// A vertex reached by a flood.
+	struct Reached {
+		int   vertex;
+		float distance;
+		int   anchor;
+		bool  isWaiting; ///< has to pass its distance on
+	};
+
 	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
 			m_(ground.mesh), normal_(ground.normal), stretch_(ground.stretch),
 			useChords_(ground.useChords && ground.stretch == nullptr), field_(field),
@@ -70,8 +91,7 @@ public:
 	}
 
 	/// Finds the disk of a sample that may still be dropped. Afterwards metSamples() are the
-	/// samples of reached vertices within r, and visited() the reached vertices. Writes trial
-	/// distances only.
+	/// samples of reached vertices within r, and reached() the reached vertices.
 	void explore(const Sample& sample);
 	/// Assigns the vertices of the last explored disk to the sample, now called `id`, if nearer to
 	/// this sample than to their present sample.
@@ -82,8 +102,8 @@ public:
 		commit(id);
 	}
 
-	const std::vector<int>& metSamples() const { return met_; }
-	const std::vector<int>& visited() const { return queue_; }
+	const std::vector<int>&     metSamples() const { return met_; }
+	const std::vector<Reached>& reached() const { return reached_; }
 
 	/// Floods of a thread are numbered. In a later round of the sampling the numbers must begin
 	/// above all numbers of earlier rounds.
@@ -91,15 +111,12 @@ public:
 	void setFloodNumber(int n) { flood_ = n; }
 
 private:
-	struct HeapEntry {
-		float distance;
-		int   vertex;
+	/// A point of the surface from which ways go on straight.
+	struct Anchor {
+		Vec3f place, normal;
+		float distance = 0; ///< from the sample
 	};
-	/// A neighbour of the vertex being settled; its distance without a stretch.
-	struct Spoke {
-		int   vertex;
-		float length;
-	};
+	static constexpr int noAnchor = -1;
 
 	const HalfEdgeMesh&         m_;
 	const Buffer<PackedNormal>& normal_;
@@ -107,32 +124,36 @@ private:
 	bool                        useChords_;
 	NearestField&               field_;
 	float                       radius_;
-	int                         flood_           = 0;
-	int                         visitedAgainNum_ = 0; ///< in this flood
-	float                       scale_ = 1; ///< of lengths: 1 over the size of the sample explored
+	int                         flood_  = 0;
+	float                       scale_  = 1; ///< of lengths: 1 over the size of the sample explored
+	bool                        isFine_ = false; ///< new anchors are made
+	bool                        isFlat_ = false; ///< all ways so far are straight
+	Vec3f                       centre_;
 	std::vector<int>            met_;
-	std::vector<int>            queue_;
-	std::vector<HeapEntry>      heap_;
-	std::vector<Spoke>          ring_; ///< counter-clockwise
+	std::vector<Reached>        reached_;
+	std::vector<int>            again_; ///< places of reached vertices to be visited again
+	std::vector<Anchor>         anchors_;
 
-	bool      exploreFlat(const Sample& sample);
-	void      exploreUnfolding(const Sample& sample);
-	void      settle(int vertex, float distance, const Sample& sample);
-	float     stretchAt(int v) const { return stretch_ == nullptr ? 1.0f : (*stretch_)[v]; }
-	float     wayFrom(const Sample& sample, int corner) const;
-	void      tryDistance(int vertex, float distance);
-	void      unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample);
-	void      unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
-						 const Sample& sample);
-	void      meet(int vertex);
-	void      pushHeap(HeapEntry e);
-	HeapEntry popHeap();
+	bool           isReached(int v) const { return field_.mark[v].flood >= flood_; }
+	const Reached& reachedAt(int v) const { return reached_[field_.mark[v].place]; }
+	float          lengthOf(const Vec3f& a, const Vec3f& b) const { return length(b - a) * scale_; }
+	float          stretchAt(int v) const { return stretch_ == nullptr ? 1.0f : (*stretch_)[v]; }
+	bool           isFineAt(int face) const;
+	float          wayFrom(const Sample& sample, int corner) const;
+	void           passOn(int place);
+	void           goAlong(const Reached& from, int v);
+	void           goOver(const Reached& from, int h, int known, int v);
+	void           goOn(int v, float distance, const Anchor& next);
+	bool           improves(int v, float distance) const;
+	void           reach(int v, float distance, int anchor);
+	void           reachFirst(int v, float distance, int anchor);
+	void           reachAgain(int v, float distance, int anchor);
+	void           meet(int vertex);
 };
 
-/// Distance of the third corner a of a triangle from a source, by unfolding: d1 is the distance at
-/// v, d2 the distance at b; the lengths of v-b, v-a and a-b are given. Infinite if the straight
-/// line would not cross the edge v-b.
-float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB);
+/// The way to the third corner a of a triangle, by unfolding: d1 is the distance of the source from
+/// v, d2 from b; the lengths of v-b, v-a and a-b are given.
+UnfoldedWay unfold(float d1, float d2, float lengthVB, float lengthVA, float lengthAB);
 
 } // namespace gpr
 
