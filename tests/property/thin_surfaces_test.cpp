@@ -245,6 +245,27 @@ TEST(ThinSurfaces, LeaveOtherComponentsRegular)
 	EXPECT_EQ(int(r.mesh.vertexNum()), 600);
 }
 
+/// Specks just below a sphere lie above its wide triangles. Only the sphere near the specks is made
+/// anew, together with the specks.
+TEST(ThinSurfaces, AreNotMadeAnewWholeForSpecks)
+{
+	TriangleMesh mesh = icosphere(5);
+	Random       random(1);
+	for (int i = 0; i < 24; ++i) {
+		const Vec3d at(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+		mesh = joined(mesh, shifted(icosphere(1, 0.003), normalized(at) * 0.9965));
+	}
+	ASSERT_EQ(contactNum(mesh), 0u);
+	for (const bool guard : {false, true}) {
+		const RemeshResult r = remesh(mesh.view(), optionsFor(400, guard));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(contactNum(r.mesh) == 0, guard);
+		EXPECT_EQ(int(r.mesh.vertexNum()), 400);
+		EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
+		EXPECT_LT(r.report.audit.guarded.vertexNum, 150);
+	}
+}
+
 TEST(ThinSurfaces, OfAnInputThatIntersectsItselfAreNotRefused)
 {
 	const TriangleMesh both = joined(icosphere(4), shifted(icosphere(4), {1.2, 0.1, 0.05}));

@@ -21,6 +21,9 @@ constexpr int mostTries = 8;
 /// Largest share of a component in a patch: beyond, making the whole component anew is as good. A
 /// patch that has failed would soon grow to such a share.
 constexpr double mostOfComponent = 0.75, mostAfterFailure = 0.5;
+/// A component with at most this many faces may lie in a patch whole: so a speck is made anew
+/// together with the part of a large component that it touches, and not with all of that component.
+constexpr int smallComponent = 200;
 /// Most looks at vertices of the working surface by tries that fail, over the number of its faces.
 /// Tries that succeed look at each vertex a few times at most.
 constexpr double mostLostWork = 2;
@@ -226,7 +229,7 @@ private:
 		return num;
 	}
 
-	/// Whether a patch has more than a share of the faces of a component.
+	/// Whether a patch has more than a share of the faces of a component that is not small.
 	static bool areMost(const std::vector<int>& faces, const Components& components, double share,
 						const std::vector<int>& faceNum)
 	{
@@ -234,7 +237,8 @@ private:
 		for (int f : faces)
 			++numOf[components.ofFace[std::size_t(f)]];
 		return std::any_of(numOf.begin(), numOf.end(), [&](const std::pair<const int, int>& num) {
-			return num.second > int(share * faceNum[std::size_t(num.first)]);
+			const int all = faceNum[std::size_t(num.first)];
+			return all > smallComponent && num.second > int(share * all);
 		});
 	}
 
