@@ -95,7 +95,7 @@ public:
 	{
 	}
 
-	void         setFloodNumber(int n) { flood_.setFloodNumber(n); }
+	void         numberFloods(int last, int step) { flood_.numberFrom(last, step); }
 	int          floodNumber() const { return flood_.floodNumber(); }
 	std::int64_t fillNum() const { return fillNum_; }
 	bool         capped() const { return capped_; }
@@ -621,8 +621,8 @@ void forBlocks(const OctreeBlocks& partition, Workers& workers, std::vector<Bloc
 	};
 	collect();
 	for (const std::vector<int>& ids : partition.byColour) {
-		for (BlockSampler& s : samplers)
-			s.setFloodNumber(floodNumber);
+		for (std::size_t i = 0; i < samplers.size(); ++i)
+			samplers[i].numberFloods(floodNumber + int(i), int(samplers.size()));
 		workers.forTasks(ids.size(),
 						 [&](std::size_t i, int worker) { body(samplers[worker], ids[i]); });
 		collect();

@@ -18,7 +18,7 @@ constexpr float fineEdge = 1 / 6.0f;
 constexpr float worthAnotherVisit = 1e-3f;
 /// Most repeated visits of a flood, for each reached vertex: among needles a way could get shorter
 /// bit by bit, nearly without end.
-constexpr std::size_t mostVisitsAgain = 2;
+constexpr std::size_t mostVisitsAgain = 4;
 
 /// The length of a way along a chord between two places whose normals have this cosine.
 float bentLength(float chord, float cosine)
@@ -57,7 +57,7 @@ void DiskFlood::explore(const Sample& sample)
 	centre_ = sample.point.position;
 	isFine_ = useChords_ && isFineAt(sample.point.face);
 	isFlat_ = useChords_;
-	++flood_;
+	flood_ += step_;
 	met_.clear();
 	reached_.clear();
 	again_.clear();
@@ -66,9 +66,10 @@ void DiskFlood::explore(const Sample& sample)
 		const int v = m_.origin[3 * sample.point.face + k];
 		reach(v, wayFrom(sample, v), useChords_ ? 0 : noAnchor);
 	}
+	// Repeated visits come first, so that few vertices take over the longer way.
 	std::size_t again = 0;
 	for (std::size_t i = 0; i < reached_.size() || again < again_.size();)
-		passOn(i < reached_.size() ? int(i++) : again_[again++]);
+		passOn(again < again_.size() ? again_[again++] : int(i++));
 	for (const Reached& r : reached_)
 		meet(r.vertex);
 }
@@ -117,19 +118,26 @@ void DiskFlood::passOn(int place)
 {
 	reached_[place].isWaiting = false;
 	const Reached from        = reached_[place];
-	const int     v           = from.vertex;
-	if (!(from.distance < field_.nearest[v].distance) || from.distance > radius_) return;
+	const float   nearest     = field_.nearest[from.vertex].distance;
+	if (!(from.distance < nearest) || from.distance > radius_) return;
 	// A copy, because new anchors may move the anchors in memory. Without an anchor the normal is
 	// zero, and nothing is seen.
-	const Anchor anchor   = from.anchor == noAnchor ? Anchor() : anchors_[from.anchor];
-	const auto   cosineAt = [&](int w) { return dot(normal_[w].unpack(), anchor.normal); };
-	bool         seesAll  = true;
-	forEachNeighbour(m_, v, [&](int w) {
+	const Anchor anchor = from.anchor == noAnchor ? Anchor() : anchors_[from.anchor];
+	if (goStraight(from, anchor)) return;
+	isFlat_ = false;
+	goOverBends(from, anchor);
+}
+
+/// Whether the anchor sees all neighbours.
+bool DiskFlood::goStraight(const Reached& from, const Anchor& anchor)
+{
+	bool seesAll = true;
+	forEachNeighbour(m_, from.vertex, [&](int w) {
 		// Each anchor gives a way once. On flat ground there is no other anchor.
 		const bool isOld = isReached(w);
 		if (isOld && (isFlat_ || (reachedAt(w).anchor == from.anchor && from.anchor != noAnchor)))
 			return;
-		const float cosine = cosineAt(w);
+		const float cosine = dot(normal_[w].unpack(), anchor.normal);
 		if (!(cosine >= flatCosine)) {
 			seesAll = false;
 			return;
@@ -141,40 +149,59 @@ void DiskFlood::passOn(int place)
 		else
 			reachFirst(w, distance, from.anchor);
 	});
-	if (seesAll) return;
-	isFlat_             = false;
-	const auto isHidden = [&](int w) { return !(cosineAt(w) >= flatCosine); };
-	forEachNeighbour(m_, v, [&](int w) {
-		if (isHidden(w)) goAlong(from, w);
-	});
-	forEachOutgoing(m_, v, [&](int h) {
-		const int a = m_.target(h), b = m_.apex(h);
-		if (isReached(a) && isHidden(b)) goOver(from, h, a, b);
-		if (isReached(b) && isHidden(a)) goOver(from, h, b, a);
-	});
+	return seesAll;
 }
 
-void DiskFlood::goAlong(const Reached& from, int v)
+void DiskFlood::goOverBends(const Reached& from, const Anchor& anchor)
 {
-	const float stretch = 0.5f * (stretchAt(from.vertex) + stretchAt(v));
-	const Vec3f at      = m_.position[from.vertex];
-	goOn(v, from.distance + lengthOf(at, m_.position[v]) * stretch,
-		 {at, normal_[from.vertex].unpack(), from.distance});
+	ring_.clear();
+	forEachNeighbour(m_, from.vertex, [&](int w) {
+		const float length = lengthOf(m_.position[from.vertex], m_.position[w]);
+		ring_.push_back({w, length, !(dot(normal_[w].unpack(), anchor.normal) >= flatCosine)});
+	});
+	for (const Spoke& s : ring_) {
+		if (s.isHidden) goAlong(from, s);
+	}
+	const bool isClosed = !m_.isBorderVertex(from.vertex);
+	for (std::size_t i = 0; i + !isClosed < ring_.size(); ++i)
+		goBetween(from, ring_[i], ring_[i + 1 < ring_.size() ? i + 1 : 0]);
 }
 
-/// Goes over the edge between two reached vertices of the face of h. All edges of the face take the
-/// mean stretch of the face: stretched by the means of their own ends, three edges need not make a
-/// triangle.
-void DiskFlood::goOver(const Reached& from, int h, int known, int v)
+void DiskFlood::goAlong(const Reached& from, const Spoke& to)
 {
-	const Vec3f       a = m_.position[from.vertex], b = m_.position[known], p = m_.position[v];
-	const float       s   = (stretchAt(from.vertex) + stretchAt(known) + stretchAt(v)) * (1 / 3.0f);
-	const UnfoldedWay way = unfold(from.distance, reachedAt(known).distance, s * lengthOf(a, b),
-								   s * lengthOf(a, p), s * lengthOf(b, p));
+	const float stretch = 0.5f * (stretchAt(from.vertex) + stretchAt(to.vertex));
+	const Vec3f normal  = normal_[from.vertex].unpack();
+	goOn(to.vertex, from.distance + to.length * stretch,
+		 {m_.position[from.vertex], normal, from.distance});
+}
+
+/// Goes over the triangle of a vertex and two consecutive neighbours.
+void DiskFlood::goBetween(const Reached& from, const Spoke& a, const Spoke& b)
+{
+	const bool toB = b.isHidden && isReached(a.vertex), toA = a.isHidden && isReached(b.vertex);
+	if (!toA && !toB) return;
+	const Vec3f at     = m_.position[from.vertex];
+	const Vec3f toward = m_.position[a.vertex] - at, onward = m_.position[b.vertex] - at;
+	const float between = length(onward - toward) * scale_;
+	const Vec3f normal  = isFine_ ? normalized(cross(toward, onward)) : Vec3f();
+	if (toB) goOver(from, a, b, between, normal);
+	if (toA) goOver(from, b, a, between, normal);
+}
+
+/// Goes over the edge between two reached vertices. All edges of the triangle take the mean stretch
+/// of the triangle: stretched by the means of their own ends, three edges need not make a triangle.
+void DiskFlood::goOver(const Reached& from, const Spoke& known, const Spoke& to, float between,
+					   const Vec3f& normal)
+{
+	const float s =
+		(stretchAt(from.vertex) + stretchAt(known.vertex) + stretchAt(to.vertex)) * (1 / 3.0f);
+	const UnfoldedWay way = unfold(from.distance, reachedAt(known.vertex).distance,
+								   s * known.length, s * to.length, s * between);
 	if (!(way.distance < HUGE_VALF)) return;
+	const Vec3f a = m_.position[from.vertex], b = m_.position[known.vertex];
 	// No way on the surface is shorter than the chord, as every stretch is at least 1.
-	goOn(v, std::max(way.distance, lengthOf(centre_, p)),
-		 {a + (b - a) * way.share, m_.faceNormal(h / 3), way.toCrossing});
+	goOn(to.vertex, std::max(way.distance, lengthOf(centre_, m_.position[to.vertex])),
+		 {a + (b - a) * way.share, normal, way.toCrossing});
 }
 
 /// Reaches a vertex over a place where the way may bend: the next anchor. Among edges that are long

@@ -105,10 +105,14 @@ public:
 	const std::vector<int>&     metSamples() const { return met_; }
 	const std::vector<Reached>& reached() const { return reached_; }
 
-	/// Floods of a thread are numbered. In a later round of the sampling the numbers must begin
-	/// above all numbers of earlier rounds.
+	/// Floods have different numbers, so that no flood takes a mark of another thread for its own.
+	/// The next numbers are last + step, last + 2 step and so on.
 	int  floodNumber() const { return flood_; }
-	void setFloodNumber(int n) { flood_ = n; }
+	void numberFrom(int last, int step)
+	{
+		flood_ = last;
+		step_  = step;
+	}
 
 private:
 	/// A point of the surface from which ways go on straight.
@@ -117,6 +121,12 @@ private:
 		float distance = 0; ///< from the sample
 	};
 	static constexpr int noAnchor = -1;
+	/// A neighbour of the vertex that passes on.
+	struct Spoke {
+		int   vertex;
+		float length;   ///< without a stretch
+		bool  isHidden; ///< the anchor does not see the neighbour
+	};
 
 	const HalfEdgeMesh&         m_;
 	const Buffer<PackedNormal>& normal_;
@@ -125,6 +135,7 @@ private:
 	NearestField&               field_;
 	float                       radius_;
 	int                         flood_  = 0;
+	int                         step_   = 1;
 	float                       scale_  = 1; ///< of lengths: 1 over the size of the sample explored
 	bool                        isFine_ = false; ///< new anchors are made
 	bool                        isFlat_ = false; ///< all ways so far are straight
@@ -133,16 +144,21 @@ private:
 	std::vector<Reached>        reached_;
 	std::vector<int>            again_; ///< places of reached vertices to be visited again
 	std::vector<Anchor>         anchors_;
+	std::vector<Spoke>          ring_; ///< counter-clockwise
 
-	bool           isReached(int v) const { return field_.mark[v].flood >= flood_; }
+	bool           isReached(int v) const { return field_.mark[v].flood == flood_; }
 	const Reached& reachedAt(int v) const { return reached_[field_.mark[v].place]; }
 	float          lengthOf(const Vec3f& a, const Vec3f& b) const { return length(b - a) * scale_; }
 	float          stretchAt(int v) const { return stretch_ == nullptr ? 1.0f : (*stretch_)[v]; }
 	bool           isFineAt(int face) const;
 	float          wayFrom(const Sample& sample, int corner) const;
 	void           passOn(int place);
-	void           goAlong(const Reached& from, int v);
-	void           goOver(const Reached& from, int h, int known, int v);
+	bool           goStraight(const Reached& from, const Anchor& anchor);
+	void           goOverBends(const Reached& from, const Anchor& anchor);
+	void           goAlong(const Reached& from, const Spoke& to);
+	void           goBetween(const Reached& from, const Spoke& a, const Spoke& b);
+	void           goOver(const Reached& from, const Spoke& known, const Spoke& to, float between,
+						  const Vec3f& normal);
 	void           goOn(int v, float distance, const Anchor& next);
 	bool           improves(int v, float distance) const;
 	void           reach(int v, float distance, int anchor);
