@@ -332,6 +332,23 @@ TEST(Sampling, KeepsTheSpacingOnCoarseInput)
 	}
 }
 
+/// Noise makes the surface larger than its shape, and would leave a third of the samples missing.
+TEST(Sampling, OfANoisySurfaceHasNearlyAllSamples)
+{
+	for (const std::uint32_t seed : {1u, 2u, 3u}) {
+		Random             random(seed);
+		const TriangleMesh mesh = noisySphere(6, 0.01, random);
+		RemeshOptions      options;
+		options.targetMode      = TargetMode::VertexNum;
+		options.targetVertexNum = 1000;
+		options.seed            = seed;
+		const RemeshResult r    = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_GT(r.report.sampleNum, 920);
+		EXPECT_GT(r.report.quality.radiusRatioMean, 0.955);
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test
