@@ -26,7 +26,7 @@ struct Sheet {
 
 	PatchPart partRound(int face)
 	{
-		return cutPart(result, tree, widened(result.mesh, {face}, 1), workers);
+		return cutPart(result, tree, widened(result.mesh, {face}, 1), 0, workers);
 	}
 
 	/// A part round a face, filled with its own faces.

@@ -124,10 +124,11 @@ std::vector<int> PatchPart::inWhole(const std::vector<char>& marked) const
 }
 
 PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces,
-				  Workers& workers)
+				  int triesBefore, Workers& workers)
 {
 	PatchPart              part;
-	const std::vector<int> inner = widened(whole.mesh, faces, ringsOfPart - 1);
+	const int              rings = ringsOfPart * (1 + triesBefore);
+	const std::vector<int> inner = widened(whole.mesh, faces, rings - 1);
 	part.face                    = widened(whole.mesh, inner, 1);
 	const int  partNum           = int(part.face.size());
 	const auto near =

@@ -33,9 +33,10 @@ struct PatchPart {
 
 /// Cuts out the faces of a patch with some rings round the faces. Faces of the whole that are near
 /// only in space are added unconnected, so that new faces do not touch them. tree: of the whole.
+/// triesBefore: of the patch, each of which adds rings, since a patch that did not fit has to grow.
 /// Cost: linear in the part.
 PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces,
-				  Workers& workers);
+				  int triesBefore, Workers& workers);
 
 /// A filled patch, and the faces of the whole to replace.
 struct FilledPart {

@@ -245,7 +245,7 @@ private:
 	void fillOne(const FaceBoxes& tree, const std::vector<int>& faces, int triesBefore,
 				 Workers& inner, Try& out) const
 	{
-		PatchPart         part = cutPart(result_, tree, faces, inner);
+		PatchPart         part = cutPart(result_, tree, faces, triesBefore, inner);
 		std::vector<char> marked;
 		for (int f : part.face)
 			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
