@@ -109,17 +109,13 @@ private:
 
 	void begin(int v)
 	{
-		float area    = 0;
-		int   faceNum = 0;
-		forEachOutgoing(m_, v, [&](int h) {
-			area += length(m_.faceCross(h / 3)) / 2;
-			++faceNum;
-		});
-		start_[v]       = Float4(m_.position[v]);
-		shift_[v]       = Float4();
-		last_[v]        = Vec3f();
-		mass_[v]        = area / 6;
-		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
+		const float area    = distance_.force(v)[3] / 2;
+		const int   faceNum = rings_.begin(v + 1) - rings_.begin(v);
+		start_[v]           = Float4(m_.position[v]);
+		shift_[v]           = Float4();
+		last_[v]            = Vec3f();
+		mass_[v]            = area / 6;
+		squaredEdge_[v]     = squaredEdgePerArea * area / float(faceNum);
 	}
 
 	/// The weight of the shape in squared length × area, the unit of the distance term: the balance
