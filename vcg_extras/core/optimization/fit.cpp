@@ -243,9 +243,10 @@ private:
 	/// False if a round had to take all its moves back.
 	bool fitInRounds(std::unique_ptr<ClosestFaceMap>& map)
 	{
-		FitRounds rounds(surface_, settings_, isFree_, r_, workers_);
+		// First, as its search and the buffers of the rounds need much memory.
 		map.reset(new ClosestFaceMap(surface_, r_, workers_));
-		bool allKept = true;
+		FitRounds rounds(surface_, settings_, isFree_, r_, workers_);
+		bool      allKept = true;
 		for (int round = 0; round < settings_.rounds; ++round) {
 			if (round > 0) map->update(r_, workers_);
 			allKept = rounds.run(*map, round + 1 == settings_.rounds) && allKept;
