@@ -4,8 +4,6 @@
 
 #include "mesh_edit.h"
 
-#include <vcg_extras/core/base/counting_sort.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -182,12 +180,7 @@ public:
 	/// Fills m.opposite. If the mesh is manifold, fills m.outgoing too and returns true.
 	bool run()
 	{
-		sortIntoBuckets(
-			mesh_.faceNum, mesh_.vertexNum,
-			[&](std::size_t f) {
-				return std::min(mesh_.triangle[3 * f + 1], mesh_.triangle[3 * f + 2]);
-			},
-			workers_, thirdStart_, third_);
+		listThirds();
 		m_.opposite.reset(std::size_t(3) * mesh_.faceNum);
 		leaveByOwnFaces();
 
@@ -211,9 +204,22 @@ private:
 	const Buffer<int>& faceStart_; ///< per vertex: its own faces, with the vertex as first corner
 	Workers&           workers_;
 	HalfEdgeMesh&      m_;
-	Buffer<int>        thirdStart_, third_; ///< faces by the smaller end of their second half-edge
+	/// Lists of the faces by the smaller end of their second half-edge: the first face per vertex,
+	/// and the next per face, or -1. The pairs do not depend on the order of a list.
+	Buffer<int> firstThird_, nextThird_;
 
 	bool hasOwnFaces(int v) const { return faceStart_[v] < faceStart_[v + 1]; }
+
+	void listThirds()
+	{
+		firstThird_.reset(mesh_.vertexNum);
+		nextThird_.reset(mesh_.faceNum);
+		workers_.forEach(mesh_.vertexNum, [&](int v) { firstThird_[v] = -1; });
+		workers_.forEach(mesh_.faceNum, [&](int f) {
+			const int end = std::min(mesh_.triangle[3 * f + 1], mesh_.triangle[3 * f + 2]);
+			nextThird_[f] = __atomic_exchange_n(&firstThird_[end], f, __ATOMIC_RELAXED);
+		});
+	}
 
 	void leaveByOwnFaces()
 	{
@@ -229,7 +235,7 @@ private:
 	}
 
 	/// Collects the spokes of v. Two half-edges of a face have the first corner as smaller end and
-	/// are found through faceStart; only the third half-edge needs a bucket.
+	/// are found through faceStart; only the third half-edge needs a list.
 	void gather(int v, SpokeFan& fan)
 	{
 		fan.clear();
@@ -240,8 +246,8 @@ private:
 			leaveByOther(a, 3 * f + 1);
 			leaveByOther(b, 3 * f + 2);
 		}
-		for (int i = thirdStart_[v]; i < thirdStart_[v + 1]; ++i) {
-			const int h = 3 * third_[i] + 1;
+		for (int f = firstThird_[v]; f >= 0; f = nextThird_[f]) {
+			const int h = 3 * f + 1;
 			const int a = mesh_.triangle[h], b = mesh_.triangle[h + 1];
 			if (a == v)
 				fan.addLeaving(b, h);

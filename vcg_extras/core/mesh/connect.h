@@ -42,7 +42,7 @@ constexpr float pointedSpread = spreadAtApex(30);
 constexpr float roughDeg   = 30;
 constexpr float roughWidth = 2e-6f;
 
-/// Stage::Connect: builds the half-edge table of an ordered mesh (see orderSpatially), by bucketing
+/// Stage::Connect: builds the half-edge table of an ordered mesh (see orderSpatially), by listing
 /// half-edges at their smaller end. If the mesh is manifold and consistently oriented, moves the
 /// arrays out of `mesh` and returns true. Otherwise returns false and leaves `mesh` unchanged; for
 /// repairManifold, surface.mesh.opposite then links the half-edges of edges with two faces in

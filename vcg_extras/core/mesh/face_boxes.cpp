@@ -14,57 +14,62 @@ namespace gpr {
 
 namespace {
 
-/// A coarse grid of marks; small enough to stay in the cache.
+/// A coarse grid that marks the cells where a small box may begin that meets a marked box. Small
+/// enough to stay in the cache.
 class MarkedCells {
 public:
 	explicit MarkedCells(const MortonGrid& grid) :
-			low_(grid.low), scale_(cellNum / grid.cubeSize), isMarked_(cellNum * cellNum * cellNum)
+			low_(grid.low), width_(grid.cubeSize / cellNum), isMarked_(cellNum * cellNum * cellNum)
 	{
 	}
 
 	void mark(const Box<float>& box)
 	{
-		anyCell(box, [&](int cell) {
-			isMarked_[cell] = 1;
-			return false;
-		});
+		const Vec3f margin(width_, width_, width_);
+		const Cell  low = cellAt(box.low - margin), high = cellAt(box.high);
+		for (int x = low.x; x <= high.x; ++x) {
+			for (int y = low.y; y <= high.y; ++y) {
+				for (int z = low.z; z <= high.z; ++z)
+					isMarked_[indexOf({x, y, z})] = 1;
+			}
+		}
 	}
 
-	bool meets(const Box<float>& box) const
+	/// True for each box that meets a marked box, and for all boxes nearly as wide as a cell.
+	bool mayMeet(const Box<float>& box) const
 	{
-		return anyCell(box, [&](int cell) { return isMarked_[cell] != 0; });
+		return box.largestSide() > 0.99f * width_ || isMarked_[indexOf(cellAt(box.low))] != 0;
 	}
 
 private:
 	static constexpr int cellNum = 64; // along each axis
-	Vec3f                low_;
-	float                scale_;
-	std::vector<char>    isMarked_;
+	struct Cell {
+		int x, y, z;
+	};
+	Vec3f             low_;
+	float             width_; ///< of a cell
+	std::vector<char> isMarked_;
 
-	int cellAt(float c) const { return std::min(cellNum - 1, std::max(0, int(c * scale_))); }
-
-	/// Calls visit(cell) for the cells of a box until visit returns true.
-	template <class Visit>
-	bool anyCell(const Box<float>& box, const Visit& visit) const
+	Cell cellAt(const Vec3f& p) const
 	{
-		const Vec3f low = box.low - low_, high = box.high - low_;
-		for (int x = cellAt(low.x); x <= cellAt(high.x); ++x) {
-			for (int y = cellAt(low.y); y <= cellAt(high.y); ++y) {
-				for (int z = cellAt(low.z); z <= cellAt(high.z); ++z) {
-					if (visit((x * cellNum + y) * cellNum + z)) return true;
-				}
-			}
-		}
-		return false;
+		const float scale = 1 / width_;
+		const auto  along = [=](float c) {
+            return std::min(cellNum - 1, std::max(0, int(c * scale)));
+		};
+		return {along(p.x - low_.x), along(p.y - low_.y), along(p.z - low_.z)};
+	}
+	static std::size_t indexOf(const Cell& c)
+	{
+		return std::size_t((c.x * cellNum + c.y) * cellNum + c.z);
 	}
 };
 
 Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sum<Box<float>>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+	return workers.sum<Box<float>>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		Box<float> part;
-		for (int f = int(begin); f < int(end); ++f) {
-			if (!isDeadFace(m, f)) part += boxOfFace(m, f);
+		for (std::size_t v = begin; v < end; ++v) {
+			if (m.outgoing[v] >= 0) part.add(m.position[v]);
 		}
 		return part;
 	});
@@ -88,7 +93,7 @@ MortonGrid gridOver(const Box<float>& all)
 	return grid;
 }
 
-/// Marks living faces that share a cell of a coarse grid with a wanted face.
+/// Marks living faces that may meet a wanted face.
 Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 						  const std::vector<char>& wanted, Workers& workers)
 {
@@ -98,7 +103,7 @@ Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 	}
 	Buffer<char> counts(m.faceNum);
 	workers.forEach(m.faceNum, [&](int f) {
-		counts[f] = !isDeadFace(m, f) && (wanted.empty() || cells.meets(boxOfFace(m, f)));
+		counts[f] = !isDeadFace(m, f) && (wanted.empty() || cells.mayMeet(boxOfFace(m, f)));
 	});
 	return counts;
 }
@@ -107,9 +112,11 @@ Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 
 Box<float> boxOfFace(const HalfEdgeMesh& m, int f)
 {
-	Box<float> box;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		box.add(m.position[m.origin[h]]);
+	const int*  c   = &m.origin[3 * f];
+	const Vec3f a   = m.position[c[0]];
+	Box<float>  box = {a, a};
+	box.add(m.position[c[1]]);
+	box.add(m.position[c[2]]);
 	return box;
 }
 
@@ -138,10 +145,9 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 	const Buffer<char> counts = findCounting(m, grid, wanted, workers);
 	const auto         num    = std::count(counts.begin(), counts.end(), 1);
 	const int          depth  = depthFor(num);
-	Buffer<int>        start;
-	const auto         blockOf = [&](std::size_t f) {
-        return counts[f] ? int(grid.cell(m.position[m.origin[3 * f]], depth)) : -1;
-	};
+	Buffer<int>        start, cell(std::size_t(m.vertexNum));
+	workers.forEach(cell.size(), [&](int v) { cell[v] = int(grid.cell(m.position[v], depth)); });
+	const auto blockOf = [&](std::size_t f) { return counts[f] ? cell[m.origin[3 * f]] : -1; };
 	sortIntoBuckets(m.faceNum, std::size_t(1) << 3 * depth, blockOf, workers, start, face_);
 	level_.emplace_back(face_.size());
 	workers.forEach(face_.size(), [&](int i) { level_[0][i] = boxOfFace(m, face_[i]); });

@@ -203,7 +203,7 @@ std::uint64_t MortonGrid::key(const Vec3f& p) const
 	const float scale = float(1 << deepestLevel) / cubeSize;
 	const auto  cell  = [scale](float offset) {
         const float c = offset * scale;
-        return std::uint64_t(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1)));
+        return std::uint64_t(int(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1))));
 	};
 	return spreadBits(cell(p.x - low.x)) | spreadBits(cell(p.y - low.y)) << 1 |
 		   spreadBits(cell(p.z - low.z)) << 2;

@@ -239,10 +239,9 @@ private:
 	}
 };
 
-bool repairOrientation(LocalSearch& search, bool mayCollapse)
+bool repairOrientation(LocalSearch& search, Goal goal, std::size_t invertedNum)
 {
-	Goal goal = invertedFaces(search, mayCollapse);
-	if (!fewInverted.holds(search.findBad(goal).size(), search.mesh()))
+	if (!fewInverted.holds(invertedNum, search.mesh()))
 		goal.operations.erase(goal.operations.begin()); // the moves
 	return search.run(goal);
 }
@@ -329,10 +328,13 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 	turnTetrahedra(surface, result, workers);
 	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
-	const bool   isDone = repairOrientation(search, mayCollapse);
+	const Goal   goal = invertedFaces(search, mayCollapse);
+	// Faces without area are among these.
+	const std::size_t invertedNum = search.findBad(goal).size();
+	const bool        isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
 	if (mayCollapse)
 		compactResult(result, workers);
-	else
+	else if (invertedNum > 0)
 		repairFacesWithoutArea(search);
 	return isDone;
 }

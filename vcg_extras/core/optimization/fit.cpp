@@ -109,17 +109,13 @@ private:
 
 	void begin(int v)
 	{
-		float area    = 0;
-		int   faceNum = 0;
-		forEachOutgoing(m_, v, [&](int h) {
-			area += length(m_.faceCross(h / 3)) / 2;
-			++faceNum;
-		});
-		start_[v]       = Float4(m_.position[v]);
-		shift_[v]       = Float4();
-		last_[v]        = Vec3f();
-		mass_[v]        = area / 6;
-		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
+		const float area    = distance_.force(v)[3] / 2;
+		const int   faceNum = rings_.begin(v + 1) - rings_.begin(v);
+		start_[v]           = Float4(m_.position[v]);
+		shift_[v]           = Float4();
+		last_[v]            = Vec3f();
+		mass_[v]            = area / 6;
+		squaredEdge_[v]     = squaredEdgePerArea * area / float(faceNum);
 	}
 
 	/// The weight of the shape in squared length × area, the unit of the distance term: the balance
@@ -247,9 +243,10 @@ private:
 	/// False if a round had to take all its moves back.
 	bool fitInRounds(std::unique_ptr<ClosestFaceMap>& map)
 	{
-		FitRounds rounds(surface_, settings_, isFree_, r_, workers_);
+		// First, as its search and the buffers of the rounds need much memory.
 		map.reset(new ClosestFaceMap(surface_, r_, workers_));
-		bool allKept = true;
+		FitRounds rounds(surface_, settings_, isFree_, r_, workers_);
+		bool      allKept = true;
 		for (int round = 0; round < settings_.rounds; ++round) {
 			if (round > 0) map->update(r_, workers_);
 			allKept = rounds.run(*map, round + 1 == settings_.rounds) && allKept;

@@ -107,8 +107,10 @@ DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const Closes
 {
 	FaceTerm        term;
 	const FacePlane plane(m_, f);
-	const int       num    = int(map.end(f) - map.begin(f));
-	const int       stride = isRough && num >= manyVertices ? 2 : 1;
+	for (Float4& force : term.force)
+		force = Float4(0, 0, 0, length(plane.areaNormal()));
+	const int num    = int(map.end(f) - map.begin(f));
+	const int stride = isRough && num >= manyVertices ? 2 : 1;
 	for (const int* i = map.begin(f); i < map.end(f); i += stride) {
 		const Vec3f          p    = surface.mesh.position[*i];
 		const Vec3f          n    = surface.normal[*i].unpack();

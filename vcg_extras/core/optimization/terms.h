@@ -89,7 +89,8 @@ public:
 				  Workers& workers);
 
 	const SymmetricLanes& own(int v) const { return own_[v]; }
-	const Float4&         force(int v) const { return force_[v]; }
+	/// The fourth lane is twice the area of the ring of v.
+	const Float4& force(int v) const { return force_[v]; }
 	/// The matrix for the edge of a spoke.
 	const SymmetricLanes& joint(int spoke) const { return joint_[spoke]; }
 
@@ -98,7 +99,7 @@ private:
 	/// from each corner to the next.
 	struct FaceTerm {
 		SymmetricLanes own[3], joint[3];
-		Float4         force[3];
+		Float4         force[3]; ///< the fourth lane is twice the area of the face
 	};
 
 	const HalfEdgeMesh&    m_;

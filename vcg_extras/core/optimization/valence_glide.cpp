@@ -66,15 +66,20 @@ private:
 	/// Tries the edges at v, a vertex with a face too many.
 	bool goOnFrom(int v, const State& state)
 	{
-		int neighbour[maxNeighbours];
+		int neighbour[maxNeighbours], halfEdge[maxNeighbours];
 		int n = 0;
-		forEachNeighbour(m_, v, [&](int w) {
-			if (n < maxNeighbours) neighbour[n++] = w;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (n == maxNeighbours) return;
+			neighbour[n]  = m_.target(h);
+			halfEdge[n++] = h;
 		});
-		// Undone flips may have renamed half-edges, so edges are found by their ends.
 		for (int i = 0; i < n; ++i) {
 			if (state.isLast(v, neighbour[i])) continue;
-			if (flipAndGoOn(m_.findHalfEdge(v, neighbour[i]), state)) return true;
+			// Undone flips may have renamed the half-edge: then its ends find the edge.
+			int h = halfEdge[i];
+			if (m_.origin[h] != v || m_.target(h) != neighbour[i])
+				h = m_.findHalfEdge(v, neighbour[i]);
+			if (flipAndGoOn(h, state)) return true;
 		}
 		return false;
 	}

@@ -56,7 +56,7 @@ double areaOf(const std::vector<FarPlace>& places)
 /// The factor by which smaller triangles at the spots raise the number of triangles.
 double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers)
 {
-	return meanSquaredStretch(surface.mesh, factorsOf(spots, surface, workers), workers);
+	return meanSquaredStretch(surface, factorsOf(spots, surface, workers), workers);
 }
 
 /// Finds the places at which the result is farther from the surface than the bound.

@@ -225,7 +225,12 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 {
 	WorkingSurface&        surface   = made.surface;
 	const std::vector<int> longFaces = findLongFaces(surface, longest, run.workers);
-	if (longFaces.empty()) return;
+	double                 area      = 0;
+	for (int f : longFaces)
+		area += 0.5 * double(length(surface.mesh.faceCross(f)));
+	// Few long faces stay, because an insertion copies all arrays.
+	constexpr double leastArea = 0.01;
+	if (area <= leastArea * surface.area / surface.mesh.sideNum()) return;
 	run.clock.enter(Stage::SplitLongEdges);
 	const int faceNum = surface.mesh.faceNum;
 	if (!(surface.callersMeanEdge > 0) && double(longFaces.size()) > maxUnseen * faceNum)

@@ -250,7 +250,7 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 	Buffer<float>       matched(size.size());
 	std::copy(size.begin(), size.end(), matched.begin());
 	for (int pass = 0; pass < passes; ++pass) {
-		const double factor = std::sqrt(meanSquaredStretch(m, matched, workers));
+		const double factor = std::sqrt(meanSquaredStretch(surface, matched, workers));
 		const float  radius = request.radius * float(factor);
 		for (std::size_t v = 0; v < size.size(); ++v) {
 			matched[v] = size[v];
@@ -291,7 +291,7 @@ float unitEdge(const SizingRequest& request, const Surface& surface, const Buffe
 			   Workers& workers)
 {
 	if (followsSizes(request)) return request.evenEdge;
-	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface.mesh, size, workers)));
+	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface, size, workers)));
 }
 
 /// A length as a size, limited to a range that no mesh exceeds and no float overflows.
@@ -356,7 +356,7 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		limitEdges(request, surface, workers, sizing.size);
 		// The slope depends on the radius, and the radius on the sizes. The sizes before grading
 		// give a radius that is good enough.
-		const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
+		const double before = meanSquaredStretch(surface, sizing.size, workers);
 		if (matchesBorder(request))
 			gradeToBorder(request, surface, workers, sizing.size);
 		else
@@ -367,11 +367,11 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 	if (followsSizes(request)) {
 		const double area = surface.mesh.sideNum() * surfaceArea(surface.mesh, workers);
 		sizing.vertexNum  = vertexNumForEdgeLength(area, request.evenEdge) *
-						   meanSquaredStretch(surface.mesh, sizing.size, workers);
+						   meanSquaredStretch(surface, sizing.size, workers);
 	}
 	const float largest = normalise(workers, sizing.size);
 	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");
-	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));
+	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface, sizing.size, workers));
 	return sizing;
 }
 
@@ -401,7 +401,7 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 
 } // namespace
 
-double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
+double meanSquaredStretch(const Surface& surface, const Buffer<float>& size, Workers& workers)
 {
 	struct Sums {
 		double weighted = 0, area = 0;
@@ -412,14 +412,9 @@ double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Work
 			return *this;
 		}
 	};
-	const Sums sums = workers.sumEach<Sums>(m.faceNum, [&](int f, Sums& s) {
-		const double area    = 0.5 * double(length(m.faceCross(f)));
-		double       inverse = 0;
-		for (int k = 0; k < 3; ++k) {
-			const double here = size[m.origin[3 * f + k]];
-			inverse += 1 / (3 * here * here);
-		}
-		s.weighted += area * inverse;
+	const Sums sums = workers.sumEach<Sums>(size.size(), [&](int v, Sums& s) {
+		const double area = surface.area[v].value(), here = size[v];
+		s.weighted += area / (here * here);
 		s.area += area;
 	});
 	return sums.area > 0 ? sums.weighted / sums.area : 1;

@@ -149,11 +149,21 @@ bool isOver(const FacePlane& plane, const Vec3f& at, const Vec3f& normal)
 		   plane.squaredHeight(at) <= overShare * length(plane.areaNormal());
 }
 
+Buffer<FacePlane> planesOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<FacePlane> planes(std::size_t(m.faceNum));
+	workers.forEach(planes.size(), [&](int f) { planes[f] = FacePlane(m, f); });
+	return planes;
+}
+
 /// Finds the triangle of the result to which a vertex of the working surface belongs.
 class TriangleSearch {
 public:
-	TriangleSearch(const Surface& surface, const HalfEdgeMesh& result) :
-			surface_(surface), m_(result)
+	/// planes: of all faces, for many searches; empty: a plane is made for each look at a face.
+	TriangleSearch(const Surface& surface, const HalfEdgeMesh& result,
+				   Buffer<FacePlane> planes = {}) :
+			surface_(surface),
+			m_(result), planes_(std::move(planes))
 	{
 	}
 
@@ -169,8 +179,8 @@ public:
 	/// may belong to another part of the result.
 	bool isStray(int p, int face) const
 	{
-		const FacePlane plane(m_, face);
-		const Vec3f     at = surface_.mesh.position[p];
+		const FacePlane plane = planeOf(face);
+		const Vec3f     at    = surface_.mesh.position[p];
 		if (!plane.looksAlong(surface_.normal[p].unpack())) return true;
 		return plane.squaredDistance(at, plane.nearestFoot(at)) >
 			   strayShare * length(plane.areaNormal());
@@ -187,7 +197,7 @@ public:
 		const int   start  = face;
 		Foot        foot{{1, 0, 0}};
 		for (int step = 0; step < maxSteps; ++step) {
-			const FacePlane plane(m_, face);
+			const FacePlane plane = planeOf(face);
 			if (!plane.looksAlong(normal)) break;
 			foot = plane.footOf(at);
 			if (foot.isInside()) {
@@ -206,6 +216,12 @@ public:
 private:
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
+	Buffer<FacePlane>   planes_;
+
+	FacePlane planeOf(int face) const
+	{
+		return planes_.empty() ? FacePlane(m_, face) : planes_[face];
+	}
 
 	static Found nearer(const Found& a, const Found& b) { return b.distance < a.distance ? b : a; }
 
@@ -224,7 +240,7 @@ private:
 
 	void tryFace(const Vec3f& at, const Vec3f& normal, int face, Found& best) const
 	{
-		const FacePlane plane(m_, face);
+		const FacePlane plane    = planeOf(face);
 		const Foot      foot     = plane.nearestFoot(at);
 		float           distance = plane.squaredDistance(at, foot);
 		if (dot(plane.areaNormal(), normal) < 0)
@@ -309,7 +325,7 @@ Buffer<int> findFaces(const Surface& surface, const ResultMesh& result, Workers&
 {
 	const HalfEdgeMesh&    m    = result.mesh;
 	Buffer<int>            face = floodFromPoints(surface, result, workers);
-	const TriangleSearch   search(surface, m);
+	const TriangleSearch   search(surface, m, planesOf(m, workers));
 	const std::vector<int> strays = workers.collectIf(face.size(), [&](int p) {
 		if (face[p] < 0) return false;
 		const TriangleSearch::Found found = search.locate(p, m.outgoing[face[p]] / 3);
