@@ -428,6 +428,9 @@ MUTANTS = [
      "if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;", "",
      "only a kept point on an edge that was halved fifteen times lies beside a vertex; the result is then "
      "withheld, not wrong, and a test of it takes 17 s"),
+    ("check: sides of cuts", "output/thorough_check.cpp",
+     "std::int64_t(facesOf(findTouchingPairs(input, workers, Seams::Apart)).size());",
+     "std::int64_t(facesOf(findTouchingPairs(input, workers, Seams::Joined)).size());"),
     ("check: far vertices", "output/thorough_check.cpp",
      "add(!(figures.vertexDistance <= fitDistance + rounding),", "add(false,"),
     # ---- input

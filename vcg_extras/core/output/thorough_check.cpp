@@ -14,9 +14,11 @@ CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 	CheckFigures        figures;
 	figures.done              = true;
 	figures.intersectingFaces = std::int64_t(facesOf(findTouchingPairs(result, workers)).size());
-	if (figures.intersectingFaces > 0)
+	if (figures.intersectingFaces > 0) {
+		// The sides of a cut touch, as for the guard (InputContacts).
 		figures.inputIntersectingFaces =
-			std::int64_t(facesOf(findTouchingPairs(input, workers)).size());
+			std::int64_t(facesOf(findTouchingPairs(input, workers, Seams::Apart)).size());
+	}
 	const SampledDistance distance =
 		sampledDistance({input, both.input}, {result, both.result}, workers);
 	figures.vertexDistance  = distance.vertexDistance;
