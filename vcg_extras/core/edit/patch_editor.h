@@ -76,8 +76,6 @@ public:
 	/// The states of v after a step of length `reach`: along its curve, or in eight directions over
 	/// the surface. mayCrowd: along the curve, the only limit is the room to the neighbours.
 	std::vector<VertexState> statesAround(int v, float reach, bool mayCrowd = false) const;
-	/// v at its place, raised by `by`.
-	VertexState raised(int v, float by) const;
 	/// Whether v at a state is within `share` mean edges of its first place, and the surface normal
 	/// at the state has at least the cosine minCosine with the first normal.
 	bool isNearStart(int v, const VertexState& state, float share, float minCosine) const;

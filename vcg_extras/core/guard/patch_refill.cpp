@@ -4,8 +4,8 @@
 
 #include "patch_input.h"
 
-#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -82,7 +82,9 @@ public:
 		nameVertices();
 		collectTriangles();
 		workers_.poll();
-		return culprits_.empty() && link() && areFansWhole();
+		if (culprits_.empty()) link();
+		if (culprits_.empty()) blameFans();
+		return culprits_.empty();
 	}
 
 	/// Blames border cells that are no disks for a topology that differs from the result's.
@@ -268,17 +270,6 @@ private:
 
 	void blame(int v) { culprits_.push_back(labelOf_[std::size_t(v)]); }
 
-	/// A half-edge by the two ends of its edge.
-	struct Edge {
-		int  low, high, half;
-		bool operator<(const Edge& o) const
-		{
-			if (low != o.low) return low < o.low;
-			return high != o.high ? high < o.high : half < o.half;
-		}
-		bool isSame(const Edge& o) const { return low == o.low && high == o.high; }
-	};
-
 	void placeVertices()
 	{
 		mesh_.vertexNum  = int(resultVertex_.size());
@@ -298,70 +289,40 @@ private:
 		}
 	}
 
-	std::vector<Edge> placeHalfEdges()
+	/// Whether the sides of an edge are a pair. Blames the ends if the sides cannot be all sides of
+	/// an edge of the result: more than two, or a single side inside of the surface.
+	bool isPair(const EdgeSide* side, std::size_t num)
 	{
-		std::vector<Edge> edges;
-		edges.reserve(3 * triangle_.size());
-		for (int h = 0; h < mesh_.halfEdgeNum(); ++h) {
-			const Triangle& t = triangle_[std::size_t(h / 3)];
-			const int       a = t[std::size_t(h % 3)], b = t[std::size_t((h + 1) % 3)];
-			mesh_.origin[h]   = a;
-			mesh_.opposite[h] = -1;
-			mesh_.outgoing[a] = h;
-			edges.push_back({std::min(a, b), std::max(a, b), h});
+		const int  low = side->low, high = side->high;
+		const bool isBorder   = num == 1 && mayBeBorder(low) && mayBeBorder(high);
+		const bool isOwnImage = mesh_.isOnMirror(low) && mesh_.isOnMirror(high);
+		const bool isInside   = num == 2 && !isOwnImage &&
+							  mesh_.origin[side[0].halfEdge] != mesh_.origin[side[1].halfEdge];
+		if (!isBorder && !isInside) {
+			blame(low);
+			blame(high);
 		}
-		sortPolled(edges.begin(), edges.end(), workers_);
-		return edges;
+		return isInside;
 	}
 
-	/// Joins the half-edges from begin to end, of the same edge. False if these cannot be all
-	/// half-edges of an edge of the result.
-	bool joinEdge(const Edge* begin, const Edge* end)
-	{
-		const int h = begin->half;
-		if (end - begin == 1) return mayBeBorder(begin->low) && mayBeBorder(begin->high);
-		const int  g          = begin[1].half;
-		const bool isOwnImage = mesh_.isOnMirror(begin->low) && mesh_.isOnMirror(begin->high);
-		if (end - begin > 2 || mesh_.origin[h] == mesh_.origin[g] || isOwnImage) return false;
-		mesh_.opposite[h] = g;
-		mesh_.opposite[g] = h;
-		return true;
-	}
-
-	/// False if an edge has more than two faces, or a single face inside of the surface.
-	bool link()
+	void link()
 	{
 		placeVertices();
-		const std::vector<Edge> edges = placeHalfEdges();
-		workers_.poll();
-		bool isSound = true;
-		for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
-			while (end < edges.size() && edges[end].isSame(edges[i]))
-				++end;
-			if (joinEdge(&edges[i], edges.data() + end)) continue;
-			blame(edges[i].low);
-			blame(edges[i].high);
-			isSound = false;
-		}
-		for (int h = 0; h < mesh_.halfEdgeNum(); ++h) {
-			if (mesh_.opposite[h] < 0) mesh_.outgoing[mesh_.origin[h]] = h;
-		}
-		return isSound;
+		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
+			mesh_.origin[h] = triangle_[std::size_t(h / 3)][std::size_t(h % 3)];
+		linkFaces(mesh_, workers_,
+				  [&](const EdgeSide* side, std::size_t num) { return isPair(side, num); });
 	}
 
-	/// Whether each vertex has a single fan of faces.
-	bool areFansWhole()
+	/// Blames vertices without a single fan of faces.
+	void blameFans()
 	{
 		std::vector<int> faces(std::size_t(mesh_.vertexNum), 0);
 		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
 			++faces[std::size_t(mesh_.origin[h])];
-		bool isSound = true;
 		for (int v = 0; v < mesh_.vertexNum; ++v) {
-			if (faces[std::size_t(v)] == mesh_.valence(v) && faces[std::size_t(v)] > 0) continue;
-			blame(v);
-			isSound = false;
+			if (faces[std::size_t(v)] != mesh_.valence(v) || faces[std::size_t(v)] == 0) blame(v);
 		}
-		return isSound;
 	}
 
 	/// Assigns the working surface to the vertices in and round patches, in place of the triangles
@@ -417,13 +378,6 @@ std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 	return vertices;
 }
 
-bool haveSameTopology(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
-{
-	const MeshFigures s = figuresOf(a, 1, workers), t = figuresOf(b, 1, workers);
-	return s.components == t.components && s.boundaryLoops == t.boundaryLoops &&
-		   s.eulerCharacteristic == t.eulerCharacteristic;
-}
-
 } // namespace
 
 void widenMarks(const HalfEdgeMesh& m, int rings, std::vector<char>& marked)
@@ -452,7 +406,8 @@ bool refillPatches(const Surface& surface, const ResultMesh& result,
 		if (refill.isShared()) return false;
 		const bool fits = refill.run(reach);
 		refilled.work += refill.inputNum();
-		if (fits && haveSameTopology(refill.mesh(), result.mesh, workers)) {
+		if (fits && figuresOf(refill.mesh(), 1, workers)
+						.hasTopologyOf(figuresOf(result.mesh, 1, workers))) {
 			refill.take(keptInput, !findTouchingPairs(refill.mesh(), workers).empty(), refilled);
 			return true;
 		}

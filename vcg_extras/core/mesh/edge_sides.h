@@ -3,12 +3,16 @@
 #ifndef VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
 #define VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
 
+#include "half_edge_mesh.h"
+
 #include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh_view.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <vector>
 
 namespace gpr {
 
@@ -53,6 +57,30 @@ void forEachEdge(const Sides& sides, const Visit& visit)
 		for (end = i + 1; end < sides.size() && sides[end].isOfSameEdge(sides[i]);)
 			++end;
 		visit(i, end);
+	}
+}
+
+/// Fills opposite and outgoing of a mesh with room for both; the mesh is given by its origins, and
+/// outgoing is -1 for vertices in no face. isPair(sides, num): whether the sides of an edge are the
+/// two halves of an inner edge; else the sides are border. Cost: O(F log F), serial; polls.
+template <class IsPair>
+void linkFaces(HalfEdgeMesh& m, Workers& workers, const IsPair& isPair)
+{
+	std::vector<EdgeSide> sides;
+	sides.reserve(std::size_t(m.halfEdgeNum()));
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		sides.push_back(edgeSide(m.origin[h], m.target(h), h));
+		m.opposite[h]           = -1;
+		m.outgoing[m.origin[h]] = h;
+	}
+	sortPolled(sides.begin(), sides.end(), workers);
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (!isPair(&sides[begin], end - begin)) return;
+		m.opposite[sides[begin].halfEdge]     = sides[begin + 1].halfEdge;
+		m.opposite[sides[begin + 1].halfEdge] = sides[begin].halfEdge;
+	});
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.opposite[h] < 0) m.outgoing[m.origin[h]] = h;
 	}
 }
 

@@ -7,8 +7,6 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
 
-#include <algorithm>
-
 namespace gpr {
 
 namespace {
@@ -16,9 +14,9 @@ namespace {
 class Joining {
 public:
 	Joining(const Surface& surface, const MirrorPlane& plane, const TriangleMesh& half,
-			const std::vector<std::int32_t>& region) :
+			const std::vector<std::int32_t>& region, Workers& workers) :
 			surface_(surface),
-			plane_(plane), half_(half), region_(region), m_(out_.result.mesh)
+			plane_(plane), half_(half), region_(region), workers_(workers), m_(out_.result.mesh)
 	{
 	}
 
@@ -36,6 +34,7 @@ private:
 	const MirrorPlane&               plane_;
 	const TriangleMesh&              half_;
 	const std::vector<std::int32_t>& region_;
+	Workers&                         workers_;
 	JoinedHalves                     out_;
 	HalfEdgeMesh&                    m_;
 	std::vector<int>                 imageOf_; ///< per vertex of the half
@@ -77,27 +76,13 @@ private:
 
 	void link()
 	{
-		std::vector<EdgeSide> sides;
-		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
-			sides.push_back(edgeSide(m_.origin[h], m_.target(h), h));
-			m_.opposite[h]            = -1;
-			m_.outgoing[m_.origin[h]] = h;
-		}
-		std::sort(sides.begin(), sides.end());
-		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-			if (end - begin == 1) return;
-			const int g = sides[begin].halfEdge, h = sides[begin + 1].halfEdge;
-			if (end - begin > 2 || m_.origin[g] == m_.origin[h]) {
-				throw Failure(Status::PromiseBroken,
-							  "The halves could not be joined: an edge would have more than two "
-							  "faces.");
-			}
-			m_.opposite[g] = h;
-			m_.opposite[h] = g;
+		linkFaces(m_, workers_, [&](const EdgeSide* side, std::size_t num) {
+			if (num == 1) return false;
+			if (num == 2 && m_.origin[side[0].halfEdge] != m_.origin[side[1].halfEdge]) return true;
+			throw Failure(
+				Status::PromiseBroken,
+				"The halves could not be joined: an edge would have more than two faces.");
 		});
-		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
-			if (m_.opposite[h] < 0) m_.outgoing[m_.origin[h]] = h;
-		}
 	}
 
 	void markLines()
@@ -116,9 +101,9 @@ private:
 } // namespace
 
 JoinedHalves joinHalves(const Surface& surface, const MirrorPlane& plane, const TriangleMesh& half,
-						const std::vector<std::int32_t>& region)
+						const std::vector<std::int32_t>& region, Workers& workers)
 {
-	return Joining(surface, plane, half, region).run();
+	return Joining(surface, plane, half, region, workers).run();
 }
 
 void placeOnSurface(const Surface& surface, const MirrorHalf& half, const MirrorPlane& plane,

@@ -27,7 +27,7 @@ struct JoinedHalves {
 /// between two labels of `region` (per face of the half, or empty), become feature lines. Throws
 /// Failure if an edge would have more than two faces. Cost: O(F log F), serial.
 JoinedHalves joinHalves(const Surface& surface, const MirrorPlane& plane, const TriangleMesh& half,
-						const std::vector<std::int32_t>& region);
+						const std::vector<std::int32_t>& region, Workers& workers);
 
 /// Sets the surface points of a joined result. Vertices of the half get the points of `made`.
 /// Vertices of the image get the nearest points of the surface, so that both sides carry over

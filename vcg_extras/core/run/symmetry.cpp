@@ -104,7 +104,7 @@ private:
 	{
 		MeshFigures joined;
 		try {
-			const JoinedHalves both = joinHalves(surface_, found_.plane, half_, {});
+			const JoinedHalves both = joinHalves(surface_, found_.plane, half_, {}, run_.workers);
 			joined                  = figuresOf(both.result.mesh, 1, run_.workers);
 		}
 		catch (const Failure&) {
@@ -184,7 +184,8 @@ private:
 
 	void finish(RemeshResult& out)
 	{
-		JoinedHalves joined = joinHalves(surface_, found_.plane, ofRun_.mesh, ofRun_.region);
+		JoinedHalves joined =
+			joinHalves(surface_, found_.plane, ofRun_.mesh, ofRun_.region, run_.workers);
 		placeOnSurface(surface_, half_, found_.plane, ofRun_, run_.workers, joined);
 		requireNoContacts(joined.result.mesh);
 		check(joined.result);
