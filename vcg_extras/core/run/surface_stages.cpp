@@ -225,12 +225,7 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 {
 	WorkingSurface&        surface   = made.surface;
 	const std::vector<int> longFaces = findLongFaces(surface, longest, run.workers);
-	double                 area      = 0;
-	for (int f : longFaces)
-		area += 0.5 * double(length(surface.mesh.faceCross(f)));
-	// Few long faces stay, because an insertion copies all arrays.
-	constexpr double leastArea = 0.01;
-	if (area <= leastArea * surface.area / surface.mesh.sideNum()) return;
+	if (longFaces.empty()) return;
 	run.clock.enter(Stage::SplitLongEdges);
 	const int faceNum = surface.mesh.faceNum;
 	if (!(surface.callersMeanEdge > 0) && double(longFaces.size()) > maxUnseen * faceNum)
