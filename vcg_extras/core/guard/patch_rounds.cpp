@@ -27,6 +27,8 @@ constexpr int smallComponent = 200;
 /// Most looks at vertices of the working surface by tries that fail, over the number of its faces.
 /// Tries that succeed look at each vertex a few times at most.
 constexpr double mostLostWork = 2;
+/// This many looks are allowed at any rate: two seconds, less than making a component anew.
+constexpr double leastLostWork = 1'000'000;
 
 /// A patch by the corners of its faces; corners keep their names while other patches are filled.
 struct Patch {
@@ -139,7 +141,8 @@ private:
 
 	bool isExhausted() const
 	{
-		return lostWork_ > mostLostWork * double(making_.surface.mesh.faceNum);
+		return lostWork_ >
+			   std::max(leastLostWork, mostLostWork * double(making_.surface.mesh.faceNum));
 	}
 
 	/// Makes turns until no patch waits.
