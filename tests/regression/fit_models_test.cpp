@@ -107,7 +107,7 @@ TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
 	const ProvenDistance plain  = provenDistanceWith(false, GetParam().percent, input.view());
 	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
 	EXPECT_LE(fitted.largest.lower,
-			  1.05 * plain.largest.upper); // at a single place, much by chance
+			  1.1 * plain.largest.upper); // at a single place, much by chance
 }
 
 INSTANTIATE_TEST_SUITE_P(, CrowdedModels,
