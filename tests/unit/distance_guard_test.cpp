@@ -69,9 +69,10 @@ TEST(DistanceGuard, LooksAtPointsOfFixedVerticesBesideOthers)
 	GuardedMesh g = square();
 	g.points.clear(0);
 	g.points.add(2, {0.1f, 0.1f, 0});
-	g.isFixed = {0, 1, 1, 1};
+	for (int v : {1, 2, 3})
+		g.vertex[std::size_t(v)].isFixed = true;
 	EXPECT_FALSE(mayRaise(g, 0.3f));
-	g.isFixed = {1, 1, 1, 1};
+	g.vertex[0].isFixed = true;
 	EXPECT_TRUE(mayRaise(g, 0.3f)) << "nothing is said to move";
 }
 

@@ -46,17 +46,20 @@ public:
 	}
 	explicit Fan(const TriangleMesh& mesh) : guarded(halfEdgesOf(mesh), false)
 	{
-		guarded.isFixed.assign(guarded.isFixed.size(), 1);
-		guarded.isFixed[0]   = 0;
-		settings.idealEdge   = 1;
-		settings.longestEdge = 1.01 * length(mesh.positions[1] - mesh.positions[0]);
+		for (GuardedVertex& v : guarded.vertex)
+			v.isFixed = true;
+		guarded.vertex[0].isFixed = false;
+		settings.idealEdge        = 1;
+		settings.longestEdge      = 1.01 * length(mesh.positions[1] - mesh.positions[0]);
 	}
 
 	/// Sets the mean normal of the assigned points of all vertices, and the area for each vertex.
 	void setNormals(const Vec3f& normal, float area)
 	{
-		guarded.normal.assign(guarded.normal.size(), normal);
-		guarded.area.assign(guarded.area.size(), area);
+		for (GuardedVertex& v : guarded.vertex) {
+			v.normal = normal;
+			v.area   = area;
+		}
 	}
 
 	bool collapses()
@@ -157,8 +160,9 @@ TEST(GuardedCollapse, LeavesLongerEdges)
 TEST(GuardedCollapse, LeavesABorderVertexWhereItIs)
 {
 	Fan fan({{0, 0, 0}, {0.5, 0, 0}, {0, 2, 0}, {-2, 0, 0}, {0, -2, 0}});
-	fan.guarded.quadric.assign(fan.guarded.quadric.size(), Quadric());
-	fan.guarded.isFixed[1] = 0;
+	for (GuardedVertex& v : fan.guarded.vertex)
+		v.quadric = Quadric();
+	fan.guarded.vertex[1].isFixed = false;
 	ASSERT_TRUE(fan.collapses());
 	EXPECT_TRUE(fan.guarded.mesh.position[0] == Vec3f(0.5f, 0, 0));
 }
@@ -166,10 +170,11 @@ TEST(GuardedCollapse, LeavesABorderVertexWhereItIs)
 TEST(GuardedCollapse, LeavesAFixedVertexOfABorderWhereItIs)
 {
 	Fan fan({{0, 0, 0}, {2, 0.1, 0}, {2, 0.5, 0}, {-2, 1, 0}, {-2, -1, 0}});
-	fan.guarded.quadric.assign(fan.guarded.quadric.size(), Quadric());
-	fan.guarded.isFixed[0]   = 1;
-	fan.guarded.isFixed[1]   = 0;
-	fan.settings.longestEdge = 0.5;
+	for (GuardedVertex& v : fan.guarded.vertex)
+		v.quadric = Quadric();
+	fan.guarded.vertex[0].isFixed = true;
+	fan.guarded.vertex[1].isFixed = false;
+	fan.settings.longestEdge      = 0.5;
 	ASSERT_TRUE(fan.collapses());
 	EXPECT_TRUE(fan.guarded.mesh.position[1] == Vec3f(2, 0.5f, 0));
 }
@@ -186,10 +191,11 @@ struct TwoFans {
 			guarded(halfEdgesOf(among(joined(fanOf(a), shifted(fanOf(b), {100, 0, 0})))), false),
 			first(guarded.mesh.position[0]), second(guarded.mesh.position[int(a.size())])
 	{
-		guarded.isFixed.assign(guarded.isFixed.size(), 1);
-		guarded.isFixed[0] = guarded.isFixed[a.size()] = 0;
-		settings.idealEdge                             = 1;
-		settings.targetNum                             = guarded.mesh.vertexNum - 1;
+		for (GuardedVertex& v : guarded.vertex)
+			v.isFixed = true;
+		guarded.vertex[0].isFixed = guarded.vertex[a.size()].isFixed = false;
+		settings.idealEdge                                           = 1;
+		settings.targetNum                                           = guarded.mesh.vertexNum - 1;
 	}
 
 	/// Whether the first hub is left and the second hub gone.
@@ -241,9 +247,10 @@ struct Notch {
 
 	explicit Notch(bool isBarred) : guarded(halfEdgesOf(make(isBarred)), false)
 	{
-		guarded.isFixed.assign(guarded.isFixed.size(), 1);
+		for (GuardedVertex& v : guarded.vertex)
+			v.isFixed = true;
 		for (int v = 0; v < guarded.mesh.vertexNum; ++v) {
-			if (has(guarded.mesh.position[v])) guarded.isFixed[std::size_t(v)] = 0;
+			if (has(guarded.mesh.position[v])) guarded.vertex[std::size_t(v)].isFixed = false;
 		}
 		settings.idealEdge   = 1;
 		settings.targetNum   = guarded.mesh.vertexNum - 1;
@@ -335,13 +342,13 @@ TEST(GuardedMesh, StandsForBordersThatAreMarked)
 	const Vec3d      inside(0.5, 0.5, 0);
 	other.crease = Buffer<char>(std::size_t(other.halfEdgeNum()), 0);
 	g.assign(other, name);
-	for (const Quadric& q : g.quadric)
-		EXPECT_NEAR(q.at(inside), 0, 1e-12) << "cut edges hold nothing";
+	for (const GuardedVertex& v : g.vertex)
+		EXPECT_NEAR(v.quadric.at(inside), 0, 1e-12) << "cut edges hold nothing";
 	for (int h = 0; h < other.halfEdgeNum(); ++h)
 		other.crease[h] = char(other.isBorderEdge(h));
 	g.assign(other, name);
-	for (const Quadric& q : g.quadric)
-		EXPECT_GT(q.at(inside), 0.1);
+	for (const GuardedVertex& v : g.vertex)
+		EXPECT_GT(v.quadric.at(inside), 0.1);
 }
 
 TEST(Quadric, IsLowestWherePlanesMeet)

@@ -165,14 +165,14 @@ TEST(GuardedDecimation, LeavesFixedVertices)
 	std::vector<Vec3f> fixed;
 	for (int v = 0; v < g.mesh.vertexNum; ++v) {
 		if (g.mesh.position[v].z < 0.5f) continue;
-		g.isFixed[std::size_t(v)] = 1;
+		g.vertex[std::size_t(v)].isFixed = true;
 		fixed.push_back(g.mesh.position[v]);
 	}
 	EXPECT_TRUE(decimateGuarded(settingsFor(mesh, int(fixed.size()) + 40), g, workers));
 	relaxGuarded(edgeFor(mesh, 100), true, g, workers);
 	std::vector<Vec3f> left;
 	for (int v = 0; v < g.mesh.vertexNum; ++v) {
-		if (g.isFixed[std::size_t(v)]) left.push_back(g.mesh.position[v]);
+		if (g.vertex[std::size_t(v)].isFixed) left.push_back(g.mesh.position[v]);
 	}
 	EXPECT_EQ(left, fixed);
 }
@@ -202,7 +202,7 @@ TEST(GuardedDecimation, StaysOnTheVerticesWhereItMust)
 	relaxGuarded(settings.idealEdge, false, g, workers);
 	EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
 	for (int v = 0; v < g.mesh.vertexNum; ++v)
-		EXPECT_TRUE(g.mesh.position[v] == before.position[g.anchor[std::size_t(v)]]);
+		EXPECT_TRUE(g.mesh.position[v] == before.position[g.vertex[std::size_t(v)].anchor]);
 }
 
 TEST(GuardedDecimation, AnchorsAreNear)
@@ -218,9 +218,9 @@ TEST(GuardedDecimation, AnchorsAreNear)
 	ASSERT_TRUE(decimateGuarded(settings, g, workers));
 	for (int v = 0; v < g.mesh.vertexNum; ++v) {
 		const Vec3f        p  = g.mesh.position[v];
-		const SurfacePoint at = nearestByDescent(surface.mesh, g.anchor[std::size_t(v)], p);
+		const SurfacePoint at = nearestByDescent(surface.mesh, g.vertex[std::size_t(v)].anchor, p);
 		EXPECT_LT(length(at.position - p), 0.15 * edge);
-		EXPECT_LT(length(surface.mesh.position[g.anchor[std::size_t(v)]] - p), edge);
+		EXPECT_LT(length(surface.mesh.position[g.vertex[std::size_t(v)].anchor] - p), edge);
 	}
 }
 

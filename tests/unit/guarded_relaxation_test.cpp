@@ -93,18 +93,20 @@ TEST(GuardedFlip, DoesNotTakeEdgesOfNeedlesForSharp)
 TEST(GuardedFlip, IsRefusedAgainstAssignedNormals)
 {
 	GuardedMesh g = quad(ridge(0.1));
-	for (Vec3f& normal : g.normal)
-		normal = normal * -1.0f;
+	for (GuardedVertex& v : g.vertex)
+		v.normal = v.normal * -1.0f;
 	EXPECT_FALSE(flips(std::move(g)));
 }
 
 TEST(GuardedFlip, LeavesFixedFaces)
 {
 	GuardedMesh g = quad(ridge(0));
-	g.isFixed     = {1, 1, 1, 0};
+	for (int v : {0, 1, 2})
+		g.vertex[std::size_t(v)].isFixed = true;
 	EXPECT_FALSE(flips(std::move(g)));
 	GuardedMesh other = quad(ridge(0));
-	other.isFixed     = {1, 0, 1, 1};
+	for (int v : {0, 2, 3})
+		other.vertex[std::size_t(v)].isFixed = true;
 	EXPECT_TRUE(flips(std::move(other)));
 }
 
@@ -128,15 +130,20 @@ public:
 	Hub(const std::vector<Vec3d>& hubAndRing, const Vec3d& goal) :
 			guarded(halfEdgesOf(fanOf(hubAndRing)), false), from_(guarded.mesh.position[0])
 	{
-		guarded.isFixed.assign(guarded.isFixed.size(), 1);
-		guarded.isFixed[0] = 0;
-		guarded.quadric[0] = Quadric();
+		for (GuardedVertex& v : guarded.vertex)
+			v.isFixed = true;
+		guarded.vertex[0].isFixed = false;
+		guarded.vertex[0].quadric = Quadric();
 		// The faces' barycentre draws with a tenth of a quadric's trace, here of three.
-		guarded.quadric[0].addPoint(goal + (goal - barycentre()) * 0.3, 1);
+		guarded.vertex[0].quadric.addPoint(goal + (goal - barycentre()) * 0.3, 1);
 	}
 
 	/// Sets normals without meaning.
-	void forgetNormals() { guarded.normal.assign(guarded.normal.size(), Vec3f()); }
+	void forgetNormals()
+	{
+		for (GuardedVertex& v : guarded.vertex)
+			v.normal = Vec3f();
+	}
 
 	bool moves(double idealEdge = wideEdge)
 	{
@@ -200,9 +207,9 @@ TEST(GuardedSlide, StaysNearThePlanes)
 {
 	const std::vector<Vec3d> bowl = {{1, 0, 0}, {5, 5, 2}, {-5, 5, 2}, {-5, -5, 2}, {5, -5, 2}};
 	Hub                      hub(bowl, {0, 0, 0});
-	hub.guarded.quadric[0] = Quadric();
-	hub.guarded.quadric[0].addPlane({0, 0, 0}, {0, 0, 1}, 1);
-	hub.guarded.area[0] = 1;
+	hub.guarded.vertex[0].quadric = Quadric();
+	hub.guarded.vertex[0].quadric.addPlane({0, 0, 0}, {0, 0, 1}, 1);
+	hub.guarded.vertex[0].area = 1;
 	hub.guarded.points.clear(0);
 	EXPECT_TRUE(hub.moves(1));
 	EXPECT_LE(std::abs(hub.at().z), 0.1f);
@@ -227,12 +234,12 @@ TEST(GuardedSlide, IsRefusedWhereAFaceTurnsAgainstWhatItStandsFor)
 		Hub hub(aboveASide(0.02), {-0.037, 0, 0.02});
 		hub.forgetNormals();
 		for (int v : {1, 4}) {
-			hub.guarded.normal[std::size_t(v)] = isAgainst ? wanted : sideways;
-			hub.guarded.area[std::size_t(v)]   = 1;
+			hub.guarded.vertex[std::size_t(v)].normal = isAgainst ? wanted : sideways;
+			hub.guarded.vertex[std::size_t(v)].area   = 1;
 		}
-		hub.guarded.area[0] = 0.01f;
+		hub.guarded.vertex[0].area = 0.01f;
 		for (int v : {2, 3})
-			hub.guarded.area[std::size_t(v)] = 9;
+			hub.guarded.vertex[std::size_t(v)].area = 9;
 		EXPECT_EQ(hub.moves(), !isAgainst);
 	}
 }

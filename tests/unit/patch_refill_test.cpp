@@ -134,7 +134,7 @@ void expectWhole(CoarseResult& coarse, const std::vector<char>& marked, const Re
 	expectRestIsThere(coarse.result(), marked, m);
 	for (int v = 0; v < m.vertexNum; ++v) {
 		const bool isOld = made.resultVertex[std::size_t(v)] >= 0;
-		EXPECT_EQ(made.guarded->isFixed[std::size_t(v)] != 0, isOld);
+		EXPECT_EQ(made.guarded->vertex[std::size_t(v)].isFixed, isOld);
 		EXPECT_EQ(made.inputVertex[std::size_t(v)] >= 0, !isOld);
 	}
 }
@@ -234,7 +234,7 @@ TEST(PatchRefill, FixesTheVerticesToBeKept)
 	ASSERT_TRUE(coarse.refill(marked, made, {kept}));
 	int fixedNum = 0;
 	for (std::size_t v = 0; v < made.resultVertex.size(); ++v) {
-		if (made.resultVertex[v] >= 0 || !made.guarded->isFixed[v]) continue;
+		if (made.resultVertex[v] >= 0 || !made.guarded->vertex[v].isFixed) continue;
 		++fixedNum;
 		EXPECT_EQ(made.inputVertex[v], kept);
 	}
@@ -262,8 +262,8 @@ TEST(PatchRefill, VerticesHaveAssignedPointsOfTheInput)
 	RefilledMesh      made;
 	ASSERT_TRUE(coarse.refill(marked, made));
 	double area = 0, wanted = 0;
-	for (float a : made.guarded->area)
-		area += double(a);
+	for (const GuardedVertex& v : made.guarded->vertex)
+		area += double(v.area);
 	for (int f = 0; f < coarse.surface().mesh.faceNum; ++f)
 		wanted += double(length(coarse.surface().mesh.faceCross(f))) / 2;
 	EXPECT_NEAR(area, wanted, 1e-4 * wanted);

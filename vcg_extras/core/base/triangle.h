@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace gpr {
 
@@ -42,6 +43,13 @@ inline bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& 
 inline bool hasZeroArea(const Vec3f& n)
 {
 	return !(squaredLength(n) > 0);
+}
+
+/// The distance between the lines a-b and c-d; 0 if the lines are parallel.
+template <class S>
+S lineDistance(const Vec3<S>& a, const Vec3<S>& b, const Vec3<S>& c, const Vec3<S>& d)
+{
+	return std::abs(dot(normalized(cross(b - a, d - c)), c - a));
 }
 
 /// The point of the triangle a b c nearest to p.

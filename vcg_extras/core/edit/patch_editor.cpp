@@ -5,6 +5,7 @@
 #include "constraint.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/features/crease_agreement.h>
 #include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/features/edge_middle.h>
@@ -162,9 +163,8 @@ bool PatchEditor::isGentleFlip(int h) const
 	if (!maySpareFace(m_, corner[0]) || !maySpareFace(m_, corner[1])) return false;
 	// Edges between kept vertices are most likely the reason to keep the vertices.
 	if (r_.vertex[corner[0]].isPinned && r_.vertex[corner[1]].isPinned) return false;
-	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]];
-	const Vec3f c = m_.position[corner[2]], d = m_.position[corner[3]];
-	const float gap = std::abs(dot(normalized(cross(b - a, d - c)), c - a));
+	const float gap = lineDistance(m_.position[corner[0]], m_.position[corner[1]],
+								   m_.position[corner[2]], m_.position[corner[3]]);
 	return gap <= largestDiagonalGap * meanEdge(corner[0]);
 }
 

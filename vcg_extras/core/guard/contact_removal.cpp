@@ -144,7 +144,7 @@ public:
 		const std::vector<int>    ofAnchor = invertedNames();
 		std::vector<ResultVertex> vertex(std::size_t(guarded_->mesh.vertexNum));
 		for (std::size_t v = 0; v < vertex.size(); ++v) {
-			const int anchor = guarded_->anchor[v], name = ofAnchor[std::size_t(anchor)];
+			const int anchor = guarded_->vertex[v].anchor, name = ofAnchor[std::size_t(anchor)];
 			vertex[v] = anchor >= inputNum_ ? result_.vertex[std::size_t(name)]
 											: madeVertex(making_.surface, name, *guarded_, int(v));
 		}
@@ -206,10 +206,11 @@ private:
 
 	void fixVertices()
 	{
-		std::fill(guarded_->isFixed.begin() + inputNum_, guarded_->isFixed.end(), char(1));
+		for (std::size_t v = std::size_t(inputNum_); v < guarded_->vertex.size(); ++v)
+			guarded_->vertex[v].isFixed = true;
 		for (int v : making_.kept) {
 			const int w = ofInput_[std::size_t(v)];
-			if (w >= 0) guarded_->isFixed[std::size_t(w)] = 1;
+			if (w >= 0) guarded_->vertex[std::size_t(w)].isFixed = true;
 		}
 	}
 

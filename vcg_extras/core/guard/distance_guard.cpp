@@ -17,8 +17,8 @@ constexpr int mostOfVertex = 64;
 
 bool mayMoveThere(const GuardedMesh& g, int v)
 {
-	bool mayMove = !g.isFixed[std::size_t(v)];
-	forEachNeighbour(g.mesh, v, [&](int w) { mayMove = mayMove || !g.isFixed[std::size_t(w)]; });
+	bool mayMove = !g.isFixed(v);
+	forEachNeighbour(g.mesh, v, [&](int w) { mayMove = mayMove || !g.isFixed(w); });
 	return mayMove;
 }
 

@@ -216,7 +216,7 @@ private:
 
 	// ---- how an edge is collapsed
 
-	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
+	bool isFixed(int v) const { return g_.isFixed(v); }
 
 	/// A result must not have degenerate faces, so degenerate faces of the input go first.
 	bool hasAnyFlat() const
@@ -281,8 +281,8 @@ private:
 	Places placesOf(const Merge& merge) const
 	{
 		Places  places;
-		Quadric q = g_.quadric[std::size_t(merge.from)];
-		q += g_.quadric[std::size_t(merge.to)];
+		Quadric q = g_.vertex[std::size_t(merge.from)].quadric;
+		q += g_.vertex[std::size_t(merge.to)].quadric;
 		const Vec3d to(m_.position[merge.to]);
 		if (!merge.mayMove) {
 			places.add(q, to);
@@ -338,7 +338,8 @@ private:
 	bool isTooFar(const Merge& merge, double squaredByArea) const
 	{
 		const double most = double(boundsOf(merge).distance) * settings_.idealEdge;
-		const float  area = g_.area[std::size_t(merge.from)] + g_.area[std::size_t(merge.to)];
+		const float  area =
+			g_.vertex[std::size_t(merge.from)].area + g_.vertex[std::size_t(merge.to)].area;
 		return squaredByArea > most * most * double(area);
 	}
 
@@ -351,10 +352,8 @@ private:
 			if (m_.target(h) != merge.from && m_.apex(h) != merge.from) gone_.push_back(h / 3);
 		});
 		leastShape_ = boundsOf(merge).shape;
-		for (int f : gone_) {
-			const NamedTriangle t = triangleOf(m_, f);
-			leastShape_           = std::min(leastShape_, triangleShape(t.at[0], t.at[1], t.at[2]));
-		}
+		for (int f : gone_)
+			leastShape_ = std::min(leastShape_, triangleOf(m_, f).shape());
 	}
 
 	/// Makes the remaining faces with the merged vertex at `place`. False if a face is not sound.
@@ -382,9 +381,9 @@ private:
 	{
 		const Vec3f   normal = after.cross(), old = before.cross();
 		const Bounds& bounds = boundsOf(merge);
-		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return hasZeroArea(old);
+		if (after.isLine()) return hasZeroArea(old);
 		if (hasZeroArea(old)) return g_.agrees(after.vertex, normal, bounds.agreement, merge.from);
-		if (triangleShape(after.at[0], after.at[1], after.at[2]) < leastShape_) return false;
+		if (after.shape() < leastShape_) return false;
 		if (dot(normal, old) < bounds.turn * length(normal) * length(old)) return false;
 		return g_.agrees(after.vertex, normal, bounds.agreement, merge.from) ||
 			   !g_.agrees(after.vertex, old, bounds.agreement, merge.from);
@@ -408,17 +407,15 @@ private:
 
 	void takeOver(const Merge& merge, const Vec3f& place)
 	{
-		const std::size_t from = std::size_t(merge.from), to = std::size_t(merge.to);
-		g_.quadric[to] += g_.quadric[from];
-		g_.normal[to] += g_.normal[from];
-		g_.area[to] += g_.area[from];
+		const GuardedVertex& from = g_.vertex[std::size_t(merge.from)];
+		GuardedVertex&       to   = g_.vertex[std::size_t(merge.to)];
+		to.quadric += from.quadric;
+		to.normal += from.normal;
+		to.area += from.area;
 		g_.points.merge(merge.from, merge.to);
-		const auto distance = [&](std::size_t v) {
-			return squaredLength(place - g_.anchorPlace[v]);
-		};
-		if (distance(from) < distance(to)) {
-			g_.anchor[to]      = g_.anchor[from];
-			g_.anchorPlace[to] = g_.anchorPlace[from];
+		if (squaredLength(place - from.anchorPlace) < squaredLength(place - to.anchorPlace)) {
+			to.anchor      = from.anchor;
+			to.anchorPlace = from.anchorPlace;
 		}
 	}
 
@@ -447,10 +444,10 @@ void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
 		const int name = nameOf(m.origin[h]);
 		if (name < 0) continue;
-		const std::size_t v = std::size_t(name);
-		g.quadric[v].addPlane(o, n * (1 / doubled), doubled / 6);
-		g.normal[v] += Vec3f(n * (1.0 / 6));
-		g.area[v] += float(doubled / 6);
+		GuardedVertex& v = g.vertex[std::size_t(name)];
+		v.quadric.addPlane(o, n * (1 / doubled), doubled / 6);
+		v.normal += Vec3f(n * (1.0 / 6));
+		v.area += float(doubled / 6);
 	}
 }
 
@@ -463,7 +460,7 @@ void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& 
 	const Vec3d across = cross(edge, Vec3d(m.faceCross(h / 3)));
 	const Vec3d normal = normalized(across);
 	for (int v : {nameOf(a), nameOf(b)}) {
-		if (v >= 0) g.quadric[std::size_t(v)].addPlane(o, normal, squaredLength(edge));
+		if (v >= 0) g.vertex[std::size_t(v)].quadric.addPlane(o, normal, squaredLength(edge));
 	}
 }
 
@@ -506,11 +503,8 @@ void AssignedPoints::rename(const Buffer<int>& newIndex, int vertexNum)
 }
 
 GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
-		mesh(std::move(from)), quadric(std::size_t(mesh.vertexNum)),
-		normal(std::size_t(mesh.vertexNum)), area(std::size_t(mesh.vertexNum), 0),
-		anchor(std::size_t(mesh.vertexNum)), anchorPlace(std::size_t(mesh.vertexNum)),
-		isFixed(std::size_t(mesh.vertexNum), 0), points(mesh.vertexNum),
-		anchorNum(std::size_t(mesh.vertexNum)), hadContacts(hasContacts)
+		mesh(std::move(from)), vertex(std::size_t(mesh.vertexNum)), points(mesh.vertexNum),
+		anchorNum(vertex.size()), hadContacts(hasContacts)
 {
 	mesh.crease       = Buffer<char>();
 	const auto itself = [](int v) { return v; };
@@ -521,8 +515,8 @@ GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 		}
 	}
 	for (int v = 0; v < mesh.vertexNum; ++v) {
-		anchor[std::size_t(v)]      = v;
-		anchorPlace[std::size_t(v)] = mesh.position[v];
+		vertex[std::size_t(v)].anchor      = v;
+		vertex[std::size_t(v)].anchorPlace = mesh.position[v];
 		points.add(v, mesh.position[v]);
 	}
 }
@@ -531,9 +525,10 @@ void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name
 {
 	for (int v : name) {
 		if (v < 0) continue;
-		quadric[std::size_t(v)] = Quadric();
-		normal[std::size_t(v)]  = Vec3f();
-		area[std::size_t(v)]    = 0;
+		GuardedVertex& to = vertex[std::size_t(v)];
+		to.quadric        = Quadric();
+		to.normal         = Vec3f();
+		to.area           = 0;
 		points.clear(v);
 	}
 	for (std::size_t v = 0; v < name.size(); ++v) {
@@ -554,8 +549,8 @@ bool GuardedMesh::agrees(const int* v, const Vec3f& n, float cosine, int another
 	float sum = 0;
 	for (int w : {v[0], v[1], v[2], another}) {
 		if (w < 0) continue;
-		wanted += normal[std::size_t(w)];
-		sum += area[std::size_t(w)];
+		wanted += vertex[std::size_t(w)].normal;
+		sum += vertex[std::size_t(w)].area;
 	}
 	const float size = length(wanted);
 	return size < leastSpread * sum || dot(n, wanted) > cosine * length(n) * size;
@@ -566,23 +561,10 @@ void GuardedMesh::compact(Workers& workers)
 	Buffer<int> newIndex;
 	gpr::compact(mesh, workers, newIndex);
 	for (std::size_t v = 0; v < newIndex.size(); ++v) {
-		if (newIndex[v] < 0) continue;
-		const std::size_t to = std::size_t(newIndex[v]);
-		quadric[to]          = quadric[v];
-		normal[to]           = normal[v];
-		area[to]             = area[v];
-		anchor[to]           = anchor[v];
-		anchorPlace[to]      = anchorPlace[v];
-		isFixed[to]          = isFixed[v];
+		if (newIndex[v] >= 0) vertex[std::size_t(newIndex[v])] = vertex[v];
 	}
 	points.rename(newIndex, mesh.vertexNum);
-	const std::size_t num = std::size_t(mesh.vertexNum);
-	quadric.resize(num);
-	normal.resize(num);
-	area.resize(num);
-	anchor.resize(num);
-	anchorPlace.resize(num);
-	isFixed.resize(num);
+	vertex.resize(std::size_t(mesh.vertexNum));
 }
 
 bool decimateGuarded(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)

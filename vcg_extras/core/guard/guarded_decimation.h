@@ -44,19 +44,31 @@ private:
 	std::vector<int>   next_; ///< per point
 };
 
-/// A mesh under decimation, with the part of the first mesh assigned to each vertex.
+/// A vertex under decimation, with the part of the first mesh assigned to the vertex.
+struct GuardedVertex {
+	Quadric quadric;     ///< of the assigned planes
+	Vec3f   normal;      ///< sum of area times normal of the assigned surface
+	float   area   = 0;  ///< of the assigned surface
+	int     anchor = -1; ///< vertex of the first mesh merged into the vertex, near its place
+	Vec3f   anchorPlace;
+	bool    isFixed = false; ///< must not move
+};
+
+/// A mesh under decimation.
 struct GuardedMesh {
-	HalfEdgeMesh         mesh;    ///< without feature lines: the quadrics keep creases
-	std::vector<Quadric> quadric; ///< per vertex: of the assigned planes
-	std::vector<Vec3f>   normal;  ///< per vertex: sum of area times normal of the assigned surface
-	std::vector<float>   area;    ///< per vertex: area of the assigned surface
-	std::vector<int>     anchor;  ///< per vertex: vertex of the first mesh merged into it, near its
-								  ///< place
-	std::vector<Vec3f> anchorPlace;         ///< per vertex: position of the anchor
-	std::vector<char>  isFixed;             ///< per vertex: must not move
-	AssignedPoints     points;              ///< assigned vertices of the first mesh
-	std::size_t        anchorNum   = 0;     ///< vertices of the first mesh
-	bool               hadContacts = false; ///< the first mesh had contacts
+	HalfEdgeMesh               mesh; ///< without feature lines: the quadrics keep creases
+	std::vector<GuardedVertex> vertex;
+	AssignedPoints             points;              ///< assigned vertices of the first mesh
+	std::size_t                anchorNum   = 0;     ///< vertices of the first mesh
+	bool                       hadContacts = false; ///< the first mesh had contacts
+
+	bool isFixed(int v) const { return vertex[std::size_t(v)].isFixed; }
+	/// Whether all corners of a face are fixed.
+	bool isFixedFace(int f) const
+	{
+		return isFixed(mesh.origin[3 * f]) && isFixed(mesh.origin[3 * f + 1]) &&
+			   isFixed(mesh.origin[3 * f + 2]);
+	}
 
 	/// From a mesh without dead faces. Each vertex is its own anchor.
 	GuardedMesh(HalfEdgeMesh from, bool hasContacts);

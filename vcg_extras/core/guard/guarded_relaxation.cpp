@@ -29,11 +29,6 @@ constexpr float needleShape = 0.01f;
 /// Least gain of a change in shape, so that no change is made and undone for ever.
 constexpr float leastGain = 1.001f;
 
-float shapeOf(const NamedTriangle& t)
-{
-	return triangleShape(t.at[0], t.at[1], t.at[2]);
-}
-
 float cosineOf(const Vec3f& a, const Vec3f& b)
 {
 	const float size = length(a) * length(b);
@@ -75,15 +70,9 @@ private:
 	std::vector<int>           gone_;
 	std::vector<NamedTriangle> made_;
 
-	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
+	bool isFixed(int v) const { return g_.isFixed(v); }
 
 	bool isFree(int v) const { return m_.outgoing[v] >= 0 && !isFixed(v) && !m_.isBorderVertex(v); }
-
-	bool isFixedFace(int f) const
-	{
-		return isFixed(m_.origin[3 * f]) && isFixed(m_.origin[3 * f + 1]) &&
-			   isFixed(m_.origin[3 * f + 2]);
-	}
 
 	NamedTriangle triangleBetween(int a, int b, int c) const
 	{
@@ -104,7 +93,7 @@ private:
 	void tryToFlip(int h)
 	{
 		const int g = m_.opposite[h];
-		if (isFixedFace(h / 3) || isFixedFace(g / 3) || !canFlip(m_, h)) return;
+		if (g_.isFixedFace(h / 3) || g_.isFixedFace(g / 3) || !canFlip(m_, h)) return;
 		const int           a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
 		const NamedTriangle old[2] = {triangleBetween(a, b, c), triangleBetween(b, a, d)};
 		made_                      = {triangleBetween(a, d, c), triangleBetween(b, c, d)};
@@ -116,12 +105,13 @@ private:
 
 	bool isFlipBetter(const NamedTriangle* old) const
 	{
-		const float before = std::min(shapeOf(old[0]), shapeOf(old[1]));
-		const float after  = std::min(shapeOf(made_[0]), shapeOf(made_[1]));
+		const float before = std::min(old[0].shape(), old[1].shape());
+		const float after  = std::min(made_[0].shape(), made_[1].shape());
 		if (!(after > leastGain * before)) return false;
 		const Vec3f o[2] = {old[0].cross(), old[1].cross()};
 		const Vec3f n[2] = {made_[0].cross(), made_[1].cross()};
-		if (gapBetween(old[0], old[1]) > farthest_) return false;
+		const Vec3d a(old[0].at[0]), b(old[0].at[1]), c(old[0].at[2]), d(old[1].at[2]);
+		if (lineDistance(a, b, c, d) > farthest_) return false;
 		const float bend = cosineOf(o[0], o[1]), newBend = cosineOf(n[0], n[1]);
 		// The normal of a needle says nothing.
 		const bool isNeedle = before < needleShape;
@@ -131,15 +121,6 @@ private:
 		return cosineOf(n[0], mean) > limits_.turn && cosineOf(n[1], mean) > limits_.turn &&
 			   g_.agrees(made_[0].vertex, n[0], limits_.agreement) &&
 			   g_.agrees(made_[1].vertex, n[1], limits_.agreement);
-	}
-
-	/// Distance between the lines through the common edge of two triangles and through their
-	/// apexes.
-	static double gapBetween(const NamedTriangle& s, const NamedTriangle& t)
-	{
-		const Vec3d a(s.at[0]), b(s.at[1]), c(s.at[2]), d(t.at[2]);
-		const Vec3d normal = normalized(cross(b - a, d - c));
-		return std::abs(dot(normal, c - a));
 	}
 
 	// ---- slides
@@ -166,10 +147,10 @@ private:
 	/// Whether a place is farther off by the quadrics, which are weighted by area.
 	bool isFarther(int v, const Vec3d& place) const
 	{
-		const Quadric& q     = g_.quadric[std::size_t(v)];
-		const double   there = q.at(place);
-		return there > farthest_ * farthest_ * double(g_.area[std::size_t(v)]) &&
-			   there > q.at(Vec3d(m_.position[v]));
+		const GuardedVertex& vertex = g_.vertex[std::size_t(v)];
+		const double         there  = vertex.quadric.at(place);
+		return there > farthest_ * farthest_ * double(vertex.area) &&
+			   there > vertex.quadric.at(Vec3d(m_.position[v]));
 	}
 
 	Vec3d goalOf(int v) const
@@ -182,17 +163,19 @@ private:
 			area += here;
 		}
 		const Vec3d barycentre = area > 0 ? sum * (1 / area) : Vec3d(m_.position[v]);
-		Quadric     q          = g_.quadric[std::size_t(v)];
+		Quadric     q          = g_.vertex[std::size_t(v)].quadric;
 		q.addPoint(barycentre, barycentreWeight * q.trace());
 		return q.lowest(Vec3d(m_.position[v]));
 	}
 
-	/// The conformal energy, summed over the faces: least for equilateral faces.
+	/// The conformal energy of a triangle: least for equilateral triangles.
+	static float energyOf(const NamedTriangle& t) { return 1 / (t.shape() + 1e-6f); }
+
 	float energy(const std::vector<int>& faces) const
 	{
 		float sum = 0;
 		for (int f : faces)
-			sum += 1 / (shapeOf(triangleOf(m_, f)) + 1e-6f);
+			sum += energyOf(triangleOf(m_, f));
 		return sum;
 	}
 
@@ -200,7 +183,7 @@ private:
 	{
 		float sum = 0;
 		for (const NamedTriangle& t : made_)
-			sum += 1 / (shapeOf(t) + 1e-6f);
+			sum += energyOf(t);
 		return sum;
 	}
 
@@ -214,7 +197,7 @@ private:
 				if (t.vertex[k] == v) t.at[k] = place;
 			}
 			const Vec3f normal = t.cross();
-			if (isLine(t.at[0], t.at[1], t.at[2], normal)) return false;
+			if (t.isLine()) return false;
 			if (cosineOf(normal, old) < limits_.turn) return false;
 			if (!g_.agrees(t.vertex, normal, limits_.agreement) &&
 				g_.agrees(t.vertex, old, limits_.agreement))

@@ -11,7 +11,7 @@ ResultVertex madeVertex(const Surface& surface, int surfaceVertex, const Guarded
 	ResultVertex vertex;
 	vertex.point    = nearestByDescent(surface.mesh, surfaceVertex, made.mesh.position[v]);
 	vertex.normal   = surface.mesh.faceNormal(vertex.point.face);
-	vertex.isPinned = made.isFixed[std::size_t(v)] != 0;
+	vertex.isPinned = made.isFixed(v);
 	vertex.isMade   = true;
 	return vertex;
 }

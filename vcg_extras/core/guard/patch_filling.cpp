@@ -47,7 +47,7 @@ void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<ch
 {
 	std::vector<char> here(marked.size(), 0);
 	const auto        markRound = [&](int v) {
-        const int anchor = refilled_.guarded->anchor[std::size_t(v)];
+        const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
         forEachOutgoing(result_.mesh, refilled_.label[std::size_t(anchor)],
 							   [&](int h) { here[std::size_t(h / 3)] = 1; });
 	};
@@ -64,10 +64,7 @@ void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<ch
 
 bool PatchFilling::isChanged(int face) const
 {
-	const auto& isFixed = refilled_.guarded->isFixed;
-	const int*  corner  = &mesh().origin[3 * face];
-	return !isFixed[std::size_t(corner[0])] || !isFixed[std::size_t(corner[1])] ||
-		   !isFixed[std::size_t(corner[2])];
+	return !refilled_.guarded->isFixedFace(face);
 }
 
 Filled PatchFilling::take()
@@ -84,7 +81,7 @@ Filled PatchFilling::take()
 /// Number of vertex v in the result, or -1 inside patches.
 int PatchFilling::oldVertex(int v) const
 {
-	return refilled_.resultVertex[std::size_t(refilled_.guarded->anchor[std::size_t(v)])];
+	return refilled_.resultVertex[std::size_t(refilled_.guarded->vertex[std::size_t(v)].anchor)];
 }
 
 /// Frees vertices next to patches, so that shapes change gradually.
@@ -92,13 +89,15 @@ void PatchFilling::freeAround()
 {
 	GuardedMesh& g = *refilled_.guarded;
 	for (int ring = 0; ring < ringsRelaxed; ++ring) {
-		const std::vector<char> before = g.isFixed;
+		std::vector<int> freed;
 		for (int v = 0; v < g.mesh.vertexNum; ++v) {
-			if (!before[std::size_t(v)] || !mayFree(v)) continue;
+			if (!g.isFixed(v) || !mayFree(v)) continue;
 			bool isNext = false;
-			forEachNeighbour(g.mesh, v, [&](int w) { isNext = isNext || !before[std::size_t(w)]; });
-			if (isNext) g.isFixed[std::size_t(v)] = 0;
+			forEachNeighbour(g.mesh, v, [&](int w) { isNext = isNext || !g.isFixed(w); });
+			if (isNext) freed.push_back(v);
 		}
+		for (int v : freed)
+			g.vertex[std::size_t(v)].isFixed = false;
 	}
 }
 
@@ -114,7 +113,7 @@ ResultVertex PatchFilling::recordOf(int v) const
 {
 	const int old = oldVertex(v);
 	if (old < 0) {
-		const int anchor = refilled_.guarded->anchor[std::size_t(v)];
+		const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
 		const int near   = refilled_.inputVertex[std::size_t(anchor)];
 		return madeVertex(making_.surface, near, *refilled_.guarded, v);
 	}

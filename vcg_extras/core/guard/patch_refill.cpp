@@ -332,13 +332,13 @@ private:
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
 	{
 		for (std::size_t v = 0; v < resultVertex_.size(); ++v) {
-			if (resultVertex_[v] >= 0) g.isFixed[v] = 1;
+			if (resultVertex_[v] >= 0) g.vertex[v].isFixed = true;
 		}
 		for (int v = 0; v < local_.ownNum; ++v) {
 			const int name = nameOfLocal_[std::size_t(v)];
 			if (name >= 0 && std::binary_search(keptInput.begin(), keptInput.end(),
 												local_.inputVertex[std::size_t(v)]))
-				g.isFixed[std::size_t(name)] = 1;
+				g.vertex[std::size_t(name)].isFixed = true;
 		}
 	}
 };

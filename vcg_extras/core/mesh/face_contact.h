@@ -5,6 +5,7 @@
 
 #include "half_edge_mesh.h"
 
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/base/workers.h>
 
 #include <cstdint>
@@ -20,6 +21,9 @@ struct NamedTriangle {
 
 	/// The unit normal times twice the area.
 	Vec3f cross() const { return gpr::cross(at[1] - at[0], at[2] - at[0]); }
+	float shape() const { return triangleShape(at[0], at[1], at[2]); }
+	/// See isLine in base/triangle.h.
+	bool isLine() const { return gpr::isLine(at[0], at[1], at[2], cross()); }
 };
 
 NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);
