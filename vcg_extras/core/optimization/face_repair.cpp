@@ -329,7 +329,7 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const Goal   goal = invertedFaces(search, mayCollapse);
-	// Faces without area are among these.
+	// Degenerate faces are among these.
 	const std::size_t invertedNum = search.findBad(goal).size();
 	const bool        isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
 	if (mayCollapse)
