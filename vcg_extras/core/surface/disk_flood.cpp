@@ -56,7 +56,7 @@ void DiskFlood::explore(const Sample& sample)
 	scale_  = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch contains the size
 	centre_ = sample.point.position;
 	isFine_ = useChords_ && isFineAt(sample.point.face);
-	isFlat_ = useChords_;
+	isFlat_ = true;
 	flood_ += step_;
 	met_.clear();
 	reached_.clear();
@@ -123,7 +123,7 @@ void DiskFlood::passOn(int place)
 	// A copy, because new anchors may move the anchors in memory. Without an anchor the normal is
 	// zero, and nothing is seen.
 	const Anchor anchor = from.anchor == noAnchor ? Anchor() : anchors_[from.anchor];
-	if (goStraight(from, anchor)) return;
+	if (from.anchor != noAnchor && goStraight(from, anchor)) return;
 	isFlat_ = false;
 	goOverBends(from, anchor);
 }
@@ -135,8 +135,7 @@ bool DiskFlood::goStraight(const Reached& from, const Anchor& anchor)
 	forEachNeighbour(m_, from.vertex, [&](int w) {
 		// Each anchor gives a way once. On flat ground there is no other anchor.
 		const bool isOld = isReached(w);
-		if (isOld && (isFlat_ || (reachedAt(w).anchor == from.anchor && from.anchor != noAnchor)))
-			return;
+		if (isOld && (isFlat_ || reachedAt(w).anchor == from.anchor)) return;
 		const float cosine = dot(normal_[w].unpack(), anchor.normal);
 		if (!(cosine >= flatCosine)) {
 			seesAll = false;
@@ -208,42 +207,35 @@ void DiskFlood::goOver(const Reached& from, const Spoke& known, const Spoke& to,
 /// against the disk, bends far from the best place would lengthen the ways, so unfolding goes on.
 void DiskFlood::goOn(int v, float distance, const Anchor& next)
 {
-	if (!improves(v, distance)) return;
-	if (isFine_) anchors_.push_back(next);
-	reach(v, distance, isFine_ ? int(anchors_.size()) - 1 : noAnchor);
+	const int anchor = isFine_ ? int(anchors_.size()) : noAnchor;
+	if (reach(v, distance, anchor) && isFine_) anchors_.push_back(next);
 }
 
-bool DiskFlood::improves(int v, float distance) const
+/// False if the vertex has a way as short already.
+bool DiskFlood::reach(int v, float distance, int anchor)
 {
-	if (!isReached(v)) return true;
-	const Reached& r = reachedAt(v);
-	return distance < (r.isWaiting ? r.distance : r.distance * (1 - worthAnotherVisit));
+	return isReached(v) ? reachAgain(v, distance, anchor) : reachFirst(v, distance, anchor);
 }
 
-void DiskFlood::reach(int v, float distance, int anchor)
-{
-	if (isReached(v))
-		reachAgain(v, distance, anchor);
-	else
-		reachFirst(v, distance, anchor);
-}
-
-void DiskFlood::reachFirst(int v, float distance, int anchor)
+bool DiskFlood::reachFirst(int v, float distance, int anchor)
 {
 	field_.mark[v] = {flood_, int(reached_.size())};
 	reached_.push_back({v, distance, anchor, true});
+	return true;
 }
 
-void DiskFlood::reachAgain(int v, float distance, int anchor)
+bool DiskFlood::reachAgain(int v, float distance, int anchor)
 {
-	if (!improves(v, distance)) return;
-	const int place = field_.mark[v].place;
-	Reached&  r     = reached_[place];
+	const int   place = field_.mark[v].place;
+	Reached&    r     = reached_[place];
+	const float least = r.isWaiting ? r.distance : r.distance * (1 - worthAnotherVisit);
+	if (!(distance < least)) return false;
 	if (!r.isWaiting) {
-		if (again_.size() >= mostVisitsAgain * reached_.size()) return;
+		if (again_.size() >= mostVisitsAgain * reached_.size()) return false;
 		again_.push_back(place);
 	}
 	r = {v, distance, anchor, true};
+	return true;
 }
 
 } // namespace gpr

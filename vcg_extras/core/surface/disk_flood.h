@@ -160,10 +160,9 @@ private:
 	void           goOver(const Reached& from, const Spoke& known, const Spoke& to, float between,
 						  const Vec3f& normal);
 	void           goOn(int v, float distance, const Anchor& next);
-	bool           improves(int v, float distance) const;
-	void           reach(int v, float distance, int anchor);
-	void           reachFirst(int v, float distance, int anchor);
-	void           reachAgain(int v, float distance, int anchor);
+	bool           reach(int v, float distance, int anchor);
+	bool           reachFirst(int v, float distance, int anchor);
+	bool           reachAgain(int v, float distance, int anchor);
 	void           meet(int vertex);
 };
 
