@@ -322,18 +322,24 @@ TEST(PromiseOfTheFit, ItComesNearerToPlatesOfNeedles)
 {
 	for (double height : {0.1, 0.3}) {
 		SCOPED_TRACE(height);
-		const TriangleMesh plate   = ringPlate(500, 0.4, height);
-		RemeshOptions      options = countOptions(600);
-		options.check              = true;
-		const RemeshResult fitted  = remesh(plate.view(), options);
-		ASSERT_EQ(fitted.status, Status::Ok) << fitted.message;
-		options.preset             = Preset::Fast;
-		const RemeshResult onInput = remesh(plate.view(), options);
-		ASSERT_EQ(onInput.status, Status::Ok) << onInput.message;
-		const SurfaceDistance with    = fitted.report.check.distance.larger();
-		const SurfaceDistance without = onInput.report.check.distance.larger();
-		EXPECT_LT(with.rms, 0.9 * without.rms);
-		EXPECT_LE(with.max, 1.02 * without.max);
+		const TriangleMesh plate = ringPlate(500, 0.4, height);
+		double             with = 0, without = 0; // squared
+		for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+			RemeshOptions options     = countOptions(600);
+			options.check             = true;
+			options.seed              = seed;
+			const RemeshResult fitted = remesh(plate.view(), options);
+			ASSERT_EQ(fitted.status, Status::Ok) << fitted.message;
+			options.preset             = Preset::Fast;
+			const RemeshResult onInput = remesh(plate.view(), options);
+			ASSERT_EQ(onInput.status, Status::Ok) << onInput.message;
+			const SurfaceDistance near = fitted.report.check.distance.larger();
+			const SurfaceDistance far  = onInput.report.check.distance.larger();
+			with += near.rms * near.rms;
+			without += far.rms * far.rms;
+			EXPECT_LE(near.max, 1.02 * far.max) << seed;
+		}
+		EXPECT_LT(std::sqrt(with), 0.82 * std::sqrt(without));
 	}
 }
 
