@@ -31,7 +31,7 @@ protected:
 		request.even     = float(even * surface.frame.scale);
 		request.largest  = largest * request.even;
 		request.slope    = slope;
-		ErrorSizes found = sizesByError(surface.mesh, lines, request, own);
+		ErrorSizes found = sizesByError(surface, lines, request, own);
 		epsilon          = found.epsilon / request.even;
 		for (float& edge : found.edge)
 			edge /= request.even;

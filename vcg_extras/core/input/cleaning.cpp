@@ -63,17 +63,18 @@ Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
 
 void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface)
 {
+	const bool  keepsRings = run.options.adapt > 0; // for the sizes by the error
 	Buffer<int> faceStart;
 	run.clock.enter(Stage::Order);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
 	run.clock.enter(Stage::Connect);
-	if (connect(mesh, faceStart, run.workers, surface)) return;
+	if (connect(mesh, faceStart, run.workers, surface, keepsRings)) return;
 	run.clock.enter(Stage::Repair);
 	const JunctionMode junctions =
 		keepsJunctions(run.options) ? JunctionMode::Keep : JunctionMode::Cut;
 	repairManifold(mesh, surface.mesh.opposite, junctions, run.workers, counts);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
-	if (!connect(mesh, faceStart, run.workers, surface)) {
+	if (!connect(mesh, faceStart, run.workers, surface, keepsRings)) {
 		throw Failure(Status::InternalError, "The surface could not be made manifold.");
 	}
 }

@@ -289,6 +289,7 @@ public:
 	}
 	/// A third of the area of the faces.
 	PackedMeasure area() const { return PackedMeasure(area_ / 6); }
+	RingSum       ring() const { return {sum_.xyz(), area_}; }
 
 private:
 	struct Face {
@@ -309,7 +310,8 @@ private:
 	}
 };
 
-/// Fills the normal and the area of a vertex; returns the number of faces round the vertex.
+/// Fills the normal and the area of a vertex, and its ring if kept; returns the number of faces
+/// round the vertex.
 int measureRound(int v, Surface& surface)
 {
 	Turn turn;
@@ -317,17 +319,19 @@ int measureRound(int v, Surface& surface)
 					 [&](int, const Float4& a, const Float4& b) { turn.add(a, b); });
 	surface.normal[v] = turn.normal();
 	surface.area[v]   = turn.area();
+	if (!surface.ring.empty()) surface.ring[v] = turn.ring();
 	return turn.cornerNum();
 }
 
 /// Computes vertex normals, marks and areas by walks round every vertex. Returns whether every
 /// vertex has a single fan: the walks then visit all corners. Marking here saves a second pass,
 /// which would cost as much.
-bool measureVertices(Workers& workers, Surface& surface)
+bool measureVertices(Workers& workers, Surface& surface, bool keepsRings)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	surface.normal.reset(m.vertexNum);
 	surface.area.reset(m.vertexNum);
+	if (keepsRings) surface.ring.reset(m.vertexNum);
 	const std::int64_t seen = workers.sumEach<std::int64_t>(
 		m.vertexNum, [&](int v, std::int64_t& corners) { corners += measureRound(v, surface); });
 	return seen == std::int64_t(m.halfEdgeNum());
@@ -335,7 +339,8 @@ bool measureVertices(Workers& workers, Surface& surface)
 
 } // namespace
 
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface)
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
+			 bool keepsRings)
 {
 	HalfEdgeMesh& m = surface.mesh;
 	if (!HalfEdgePairing(mesh, faceStart, workers, m).run()) return false;
@@ -343,7 +348,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	m.faceNum   = mesh.faceNum;
 	m.position.swap(mesh.position);
 	m.origin.swap(mesh.triangle);
-	if (!measureVertices(workers, surface)) {
+	if (!measureVertices(workers, surface, keepsRings)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);
 		return false;

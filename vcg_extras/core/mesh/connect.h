@@ -20,6 +20,7 @@ struct Surface {
 									 ///< see pointedSpread, roughDeg and roughWidth
 	Buffer<PackedMeasure> area; ///< per vertex: a third of the area of its faces, working units²
 	Buffer<float>         size; ///< per vertex: see sizing.h; empty: even sizes
+	Buffer<RingSum>       ring; ///< per vertex: see ringSum; empty from the sizes on, or always
 	std::vector<Vec3f>    meetings; ///< see IndexedMesh
 	Frame                 frame;
 	MortonGrid            grid;
@@ -46,8 +47,10 @@ constexpr float roughWidth = 2e-6f;
 /// half-edges at their smaller end. If the mesh is manifold and consistently oriented, moves the
 /// arrays out of `mesh` and returns true. Otherwise returns false and leaves `mesh` unchanged; for
 /// repairManifold, surface.mesh.opposite then links the half-edges of edges with two faces in
-/// opposite directions and is -1 for all other half-edges. Cost: linear, parallel.
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
+/// opposite directions and is -1 for all other half-edges. keepsRings: fills surface.ring, too.
+/// Cost: linear, parallel.
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
+			 bool keepsRings = false);
 
 /// Marks vertices with several fans (1), given linked half-edges. After a failed connect() these
 /// are all faulty vertices: an edge without two faces in opposite directions has no opposites, so
@@ -62,7 +65,7 @@ void measureVertex(int v, Surface& surface);
 /// surface keeps only its frame.
 IndexedMesh disconnect(Surface& surface);
 
-/// A copy of a surface. Cost: a copy of its memory, parallel.
+/// A copy of a surface, without rings. Cost: a copy of its memory, parallel.
 Surface copyOf(const Surface& from, Workers& workers);
 
 } // namespace gpr

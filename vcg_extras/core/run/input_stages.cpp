@@ -85,6 +85,7 @@ bool takeConnected(RunContext& run, Sewing sewing, InputCache::OfSewing& kept,
 			!connectCleaned(run, sewing, mesh, surface.cleaned, connected.surface);
 		connected.counts = surface.cleaned;
 		if (connected.mustSewFirst) connected.surface = Surface();
+		connected.surface.ring.release();
 		kept.connected = std::move(connected);
 	}
 	if (kept.connected->mustSewFirst) return false;

@@ -241,6 +241,7 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots, Products& made)
 {
 	Sizing sizing = findSizes(run, decisions, spots, made);
+	made.surface.ring.release();
 	if (sizing.size.empty()) return;
 	made.surface.size       = std::move(sizing.size);
 	made.sizes.radiusFactor = sizing.radiusFactor;

@@ -54,17 +54,21 @@ Radii radiiFor(const ErrorSizeRequest& request)
 	return radii;
 }
 
-struct Ring : RingSum {
-	/// The area nearest to the vertex: a third of its faces.
-	float ownArea() const { return area / 6; }
-	/// 1 on flat ground, less if the normals of the faces differ.
-	float flatness() const { return area > 0 ? length(normal) / area : 1; }
-};
-
-Buffer<Ring> ringsOf(const HalfEdgeMesh& m, Workers& workers)
+/// The area nearest to a vertex: a third of its faces.
+float ownArea(const RingSum& ring)
 {
-	Buffer<Ring> ring(m.vertexNum);
-	workers.forEach(std::size_t(m.vertexNum), [&](int v) { ring[v] = {ringSum(m, v)}; });
+	return ring.area / 6;
+}
+/// 1 on flat ground, less if the normals of the faces differ.
+float flatnessOf(const RingSum& ring)
+{
+	return ring.area > 0 ? length(ring.normal) / ring.area : 1;
+}
+
+Buffer<RingSum> ringsOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<RingSum> ring(m.vertexNum);
+	workers.forEach(std::size_t(m.vertexNum), [&](int v) { ring[v] = ringSum(m, v); });
 	return ring;
 }
 
@@ -224,7 +228,7 @@ private:
 /// fitted to the vertices would fail: round the rim of a thin sheet the fit is the sheet itself.
 class FlatnessGauge {
 public:
-	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<Ring>& ring, const Radii& radii) :
+	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<RingSum>& ring, const Radii& radii) :
 			ring_(ring), radii_(radii), disk_(mesh)
 	{
 	}
@@ -262,9 +266,9 @@ public:
 	}
 
 private:
-	const Buffer<Ring>& ring_;
-	const Radii&        radii_;
-	Disk                disk_;
+	const Buffer<RingSum>& ring_;
+	const Radii&           radii_;
+	Disk                   disk_;
 
 	/// Whether all normals of the disk turn from the normal of its centre by at most the angle with
 	/// this sine.
@@ -329,7 +333,7 @@ struct Centre {
 /// side.
 class CentreSpreader {
 public:
-	CentreSpreader(const Buffer<Ring>& ring, float square, std::vector<Centre>& out) :
+	CentreSpreader(const Buffer<RingSum>& ring, float square, std::vector<Centre>& out) :
 			ring_(ring), square_(square), out_(out)
 	{
 	}
@@ -338,12 +342,12 @@ public:
 	{
 		if (group_.empty()) firstNew_ = out_.size();
 		group_.push_back(v);
-		const float flatness = ring_[v].flatness();
+		const float flatness = flatnessOf(ring_[v]);
 		if (flatness < least_) {
 			least_    = flatness;
 			sharpest_ = v;
 		}
-		passed_ += ring_[v].ownArea();
+		passed_ += ownArea(ring_[v]);
 		if (passed_ < square_) return;
 		choose();
 		if (out_.size() - firstNew_ == centresTogether) closeGroup();
@@ -355,14 +359,14 @@ public:
 	}
 
 private:
-	const Buffer<Ring>&  ring_;
-	float                square_;
-	std::vector<Centre>& out_;
-	std::vector<int>     group_;        ///< vertices passed since the last group
-	std::size_t          firstNew_ = 0; ///< first centre of the group
-	float                passed_   = 0; ///< area of the square at hand
-	float                least_    = HUGE_VALF;
-	int                  sharpest_ = 0;
+	const Buffer<RingSum>& ring_;
+	float                  square_;
+	std::vector<Centre>&   out_;
+	std::vector<int>       group_;        ///< vertices passed since the last group
+	std::size_t            firstNew_ = 0; ///< first centre of the group
+	float                  passed_   = 0; ///< area of the square at hand
+	float                  least_    = HUGE_VALF;
+	int                    sharpest_ = 0;
 
 	void choose()
 	{
@@ -400,9 +404,13 @@ private:
 /// Computes the sizes of a surface for several ε in turn.
 class SizeSearch {
 public:
-	SizeSearch(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers) :
-			mesh_(mesh), request_(request), workers_(workers), radii_(radiiFor(request)),
-			ring_(ringsOf(mesh, workers)), ofLargest_(trianglesAt(request.largest)),
+	/// ring: of all vertices, or empty.
+	SizeSearch(const HalfEdgeMesh& mesh, const Buffer<RingSum>& ring,
+			   const ErrorSizeRequest& request, Workers& workers) :
+			mesh_(mesh),
+			request_(request), workers_(workers), radii_(radiiFor(request)),
+			made_(ring.empty() ? ringsOf(mesh, workers) : Buffer<RingSum>()),
+			ring_(ring.empty() ? made_ : ring), ofLargest_(trianglesAt(request.largest)),
 			wanted_(1 - ofLargest_), centre_(spreadCentres())
 	{
 	}
@@ -448,7 +456,8 @@ private:
 	const ErrorSizeRequest&   request_;
 	Workers&                  workers_;
 	const Radii               radii_;
-	const Buffer<Ring>        ring_;
+	const Buffer<RingSum>     made_; ///< rings, if none were given
+	const Buffer<RingSum>&    ring_;
 	const double              ofLargest_; ///< share of triangles if all had the largest size
 	const double              wanted_;    ///< share of triangles left for small sizes
 	const std::vector<Centre> centre_;    ///< the centres of the disks
@@ -472,7 +481,7 @@ private:
 	double area()
 	{
 		return workers_.sumEach<double>(
-			ring_.size(), [&](int v, double& sum) { sum += double(ring_[v].ownArea()); });
+			ring_.size(), [&](int v, double& sum) { sum += double(ownArea(ring_[v])); });
 	}
 
 	double trianglesAt(float edge) const
@@ -576,7 +585,7 @@ private:
 	{
 		const double more     = workers_.sumEach<double>(lowered_.size(), [&](int i, double& sum) {
             const int v = lowered_[i];
-            sum += double(ring_[v].ownArea()) * (trianglesAt(sizes.edge[v]) - ofLargest_);
+            sum += double(ownArea(ring_[v])) * (trianglesAt(sizes.edge[v]) - ofLargest_);
         });
 		const double ungraded = smallTriangles(bent_, centre_.size(), sizes.epsilon);
 		const double got      = more / area();
@@ -606,12 +615,13 @@ ErrorSizes joined(const CutMesh& cut, const ErrorSizes& sizes, const HalfEdgeMes
 
 } // namespace
 
-ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
+ErrorSizes sizesByError(const Surface& surface, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers)
 {
-	if (lines.empty()) return SizeSearch(mesh, request, workers).run();
-	const CutMesh cut = cutAlong(mesh, lines, workers);
-	return joined(cut, SizeSearch(cut.mesh, request, workers).run(), mesh, request.slope, workers);
+	const HalfEdgeMesh& m = surface.mesh;
+	if (lines.empty()) return SizeSearch(m, surface.ring, request, workers).run();
+	const CutMesh cut = cutAlong(m, lines, workers);
+	return joined(cut, SizeSearch(cut.mesh, {}, request, workers).run(), m, request.slope, workers);
 }
 
 std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
@@ -626,11 +636,12 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 	double           num           = double(first);
 	CutMesh          cut;
 	if (!lines.empty()) cut = cutAlong(surface.mesh, lines, workers);
-	const HalfEdgeMesh& mesh = lines.empty() ? surface.mesh : cut.mesh;
+	const HalfEdgeMesh&   mesh = lines.empty() ? surface.mesh : cut.mesh;
+	const Buffer<RingSum> ring = ringsOf(mesh, workers);
 	for (int i = 0; i < steps; ++i) {
 		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
 		const ErrorSizeRequest request{even, range.largest * even, range.slope};
-		const float            flat = SizeSearch(mesh, request, workers).run().epsilon;
+		const float            flat = SizeSearch(mesh, ring, request, workers).run().epsilon;
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
 		num = std::clamp(num, 4.0, double(most));
 	}

@@ -39,7 +39,7 @@ struct ErrorSizes {
 /// Needs a connected surface in spatial order; edges may have any length. The same bits for any
 /// number of threads. Cost: linear; about five disks for each square of an even edge, fewer on
 /// nearly flat ground, and a closer look at disks that bend.
-ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
+ErrorSizes sizesByError(const Surface& surface, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers);
 
 /// The range of sizes by the error.

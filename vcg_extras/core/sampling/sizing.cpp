@@ -329,7 +329,7 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 	wanted.even        = request.evenEdge;
 	wanted.largest     = request.evenEdge * largestSizeFor(request.options);
 	wanted.slope       = gradingSlope(request);
-	Buffer<float> edge = sizesByError(surface.mesh, request.lines, wanted, workers).edge;
+	Buffer<float> edge = sizesByError(surface, request.lines, wanted, workers).edge;
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
 	return edge;
 }
