@@ -3,9 +3,11 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_RINGS_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_RINGS_H
 
+#include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
+#include <new>
 #include <vector>
 
 namespace gpr {
@@ -45,13 +47,16 @@ public:
 	template <class Term, class TermOf, class Visit>
 	void forEach(Workers& workers, const TermOf& termOf, const Visit& visit) const
 	{
-		std::vector<std::vector<Term>> terms(std::size_t(workers.threadNum()));
+		std::vector<Buffer<Term>> terms(std::size_t(workers.threadNum()));
 		workers.forTasks(pieceNum(), [&](std::size_t piece, int worker) {
-			std::vector<Term>& of = terms[std::size_t(worker)];
-			of.clear();
-			for (int i = faceStart_[piece]; i < faceStart_[piece + 1]; ++i)
-				of.push_back(termOf(face_[std::size_t(i)]));
-			for (int v = beginOf(piece); v < beginOf(piece + 1); ++v) {
+			Buffer<Term>&     of   = terms[std::size_t(worker)];
+			const int* const  face = face_.data() + faceStart_[piece];
+			const std::size_t num  = std::size_t(faceStart_[piece + 1] - faceStart_[piece]);
+			if (of.size() < num) of.reset(num);
+			for (std::size_t i = 0; i < num; ++i)
+				new (&of[i]) Term(termOf(face[i])); // in place
+			const int end = beginOf(piece + 1);
+			for (int v = beginOf(piece); v < end; ++v) {
 				const int size = start_[v + 1] - start_[v];
 				visit(v, Ring<Term>{spoke_.data() + start_[v], size, !m_.isBorderVertex(v),
 									of.data()});
