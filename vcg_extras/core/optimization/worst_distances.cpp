@@ -209,7 +209,7 @@ private:
 	{
 		std::vector<float> gaps;
 		for (int f : faces) {
-			const float gap = gaps_.gapAt(f).squared;
+			const float gap = gaps_.gapAt(f, squared).squared;
 			if (gap > squared) return {};
 			gaps.push_back(isAtSmoothBorder(f) ? near_ * near_ : gap);
 		}

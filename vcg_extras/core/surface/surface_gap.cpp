@@ -39,7 +39,7 @@ Vec3f nearestFromCorners(const HalfEdgeMesh& m, const std::array<int, 3>& seed, 
 } // namespace
 
 Gap gapFromTriangle(const HalfEdgeMesh& m, const std::array<Vec3f, 3>& t,
-					const std::array<int, 3>& seed, float squaredNear)
+					const std::array<int, 3>& seed, float squaredNear, float squaredMost)
 {
 	Gap gap  = {squaredNear, Vec3f(), Vec3f()};
 	int face = seed[0];
@@ -48,6 +48,7 @@ Gap gapFromTriangle(const HalfEdgeMesh& m, const std::array<Vec3f, 3>& t,
 			const float x = float(i) / latticeSteps, y = float(k) / latticeSteps;
 			const Vec3f p = t[0] * (1 - x - y) + t[1] * x + t[2] * y;
 			widen(p, nearestFromCorners(m, seed, p, gap.squared, face), gap);
+			if (gap.squared > squaredMost) return gap;
 		}
 	}
 	return gap;
@@ -74,19 +75,19 @@ void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 	}
 }
 
-void SurfaceGaps::lookFromTriangle(int f, Gap& gap) const
+void SurfaceGaps::lookFromTriangle(int f, Gap& gap, float squaredMost) const
 {
-	const int* c = &m_.origin[3 * f];
-	const Gap  own =
-		gapFromTriangle(s_, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]},
-						{point_[c[0]].face, point_[c[1]].face, point_[c[2]].face}, gap.squared);
+	const int* c   = &m_.origin[3 * f];
+	const Gap  own = gapFromTriangle(s_, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]},
+									 {point_[c[0]].face, point_[c[1]].face, point_[c[2]].face},
+									 gap.squared, squaredMost);
 	if (own.squared > gap.squared) gap = own;
 }
 
-Gap SurfaceGaps::gapAt(int f) const
+Gap SurfaceGaps::gapAt(int f, float squaredMost) const
 {
 	Gap gap = nearEnough();
-	lookFromTriangle(f, gap);
+	lookFromTriangle(f, gap, squaredMost);
 	lookFromSurface(f, gap);
 	return gap;
 }
@@ -95,7 +96,7 @@ bool SurfaceGaps::isWithin(int f, float squared) const
 {
 	Gap gap = {squared, Vec3f(), Vec3f()};
 	lookFromSurface(f, gap);
-	if (gap.squared <= squared) lookFromTriangle(f, gap);
+	if (gap.squared <= squared) lookFromTriangle(f, gap, squared);
 	return gap.squared <= squared;
 }
 
@@ -107,7 +108,7 @@ Buffer<float> SurfaceGaps::measureAll(Workers& workers) const
 	workers.forEach(m_.faceNum, [&](int f) {
 		const int* c   = &m_.origin[3 * f];
 		Gap        gap = nearEnough();
-		if (isFar[c[0]] || isFar[c[1]] || isFar[c[2]]) lookFromTriangle(f, gap);
+		if (isFar[c[0]] || isFar[c[1]] || isFar[c[2]]) lookFromTriangle(f, gap, HUGE_VALF);
 		lookFromSurface(f, gap);
 		squared[f] = gap.squared;
 	});

@@ -11,6 +11,7 @@
 #include <vcg_extras/core/mesh/connect.h>
 
 #include <array>
+#include <cmath>
 
 namespace gpr {
 
@@ -23,9 +24,10 @@ struct Gap {
 
 /// Largest distance of a triangle from the surface, measured at a lattice of points of the
 /// triangle; squaredNear if no distance is larger. seed: faces of the surface near the corners of
-/// the triangle.
+/// the triangle. squaredMost: a larger distance ends the search.
 Gap gapFromTriangle(const HalfEdgeMesh& surface, const std::array<Vec3f, 3>& triangle,
-					const std::array<int, 3>& seed, float squaredNear);
+					const std::array<int, 3>& seed, float squaredNear,
+					float squaredMost = HUGE_VALF);
 
 /// Measures gaps between the faces of a result and the surface in both directions: from the closest
 /// vertices of the surface to each face, and from a lattice of points of the face. Gaps shorter
@@ -37,7 +39,8 @@ public:
 	SurfaceGaps(const Surface& surface, const ClosestFaceMap& map, const HalfEdgeMesh& result,
 				const Buffer<SurfacePoint>& point, float near);
 
-	Gap gapAt(int f) const;
+	/// squaredMost: see gapFromTriangle.
+	Gap gapAt(int f, float squaredMost = HUGE_VALF) const;
 	/// Whether the squared gap of f is at most `squared`; `squared` is at least near². Quicker than
 	/// gapAt: each search ends at a point that is near enough.
 	bool isWithin(int f, float squared) const;
@@ -54,7 +57,7 @@ private:
 
 	Gap  nearEnough() const { return {squaredNear_, Vec3f(), Vec3f()}; }
 	void lookFromSurface(int f, Gap& gap) const;
-	void lookFromTriangle(int f, Gap& gap) const;
+	void lookFromTriangle(int f, Gap& gap, float squaredMost) const;
 	bool isFarVertex(int v) const;
 };
 
