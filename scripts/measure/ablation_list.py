@@ -68,6 +68,7 @@ ABLATIONS = [
      "{Driver::PoorFaces,      {-2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  true}},",
      "{Driver::PoorFaces,      {-2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  false}},"),
     ("guard", "all", "run/result_stages.cpp", "if (!run.options.guard || isPaper(run.options))", "if (true)"),
+    ("guard", "flips and moves first", "guard/patch_changes.cpp", "if (num == 0 || ", "if (num > 0 || "),
     ("guard", "patches", "guard/contact_removal.cpp", "constexpr int leastForPatches = 100;",
      "constexpr int leastForPatches = 1 << 30;"),
     ("guard", "one patch where patches touch", "guard/patch_rounds.cpp", "\t\t\t\ttake(pair->second);\n", "\t\t\t\t;\n"),

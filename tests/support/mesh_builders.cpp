@@ -343,6 +343,22 @@ TriangleMesh lPrism(int n)
 	return mesh;
 }
 
+TriangleMesh arch()
+{
+	TriangleMesh bent = grid(6, 8, 1, 4);
+	for (Vec3d& p : bent.positions)
+		p = {-std::cos(pi * p.x), p.y, std::sin(pi * p.x)};
+	return bent;
+}
+
+TriangleMesh archOverLeaf()
+{
+	TriangleMesh leaf = grid(2, 2, 0.04, 0.45);
+	for (Vec3d& p : leaf.positions)
+		p = {p.x - 0.02, 2, p.y + 0.5};
+	return joined(arch(), leaf);
+}
+
 TriangleMesh thinPlate(int n, double thickness)
 {
 	return box(n, n, 1, {1, 1, thickness});

@@ -56,6 +56,10 @@ TriangleMesh torus(int n, int m, double axisRadius = 1, double tubeRadius = 0.4)
 TriangleMesh box(int nx, int ny, int nz, const Vec3d& size);
 TriangleMesh cube(int n);
 TriangleMesh thinPlate(int n, double thickness);
+/// Half of a tube of radius 1 and length 4 with edges that turn by 30°. Its top is at (0, y, 1).
+TriangleMesh arch();
+/// An arch, and an upright leaf at y = 2 under its top, which nearly touches the arch.
+TriangleMesh archOverLeaf();
 /// A prism over an L: three cubes of side 1 and n cells in a corner.
 TriangleMesh lPrism(int n);
 TriangleMesh closedCylinder(int around, int along, double radius, double height);

@@ -287,15 +287,6 @@ float leastAgreement(OnSurface& on)
 	return least;
 }
 
-/// Half of a tube of radius 1 with edges that turn by 30°. Its top is at (0, y, 1).
-TriangleMesh arch()
-{
-	TriangleMesh bent = grid(6, 8, 1, 4);
-	for (Vec3d& p : bent.positions)
-		p = {-std::cos(pi * p.x), p.y, std::sin(pi * p.x)};
-	return bent;
-}
-
 float leastAgreementAfterDrawing(float least)
 {
 	OnSurface on(arch());
@@ -339,32 +330,54 @@ TEST(LocalSearch, InvertsNoMoreFacesWhereSomeAreAlready)
 	EXPECT_EQ(invertedAfterDrawing(0.6f, before), before);
 }
 
+/// Moves of the vertex at the top drag faces through the leaf. Returns how far the vertex at the
+/// top came.
+float drawTop(OnSurface& on, bool keepsContacts)
+{
+	const int   v        = vertexNear(on, {0, 2, 1});
+	const float start    = on.m().position[v].x;
+	Goal        goal     = drawnAlong(on, v, {1, 0, 0});
+	goal.stepLengths     = {0.05f};
+	goal.limits.contacts = keepsContacts;
+	search(on, goal);
+	return on.m().position[v].x - start;
+}
+
 TEST(LocalSearch, MovesNoFaceThroughAnother)
 {
-	// An upright leaf under the top of an arch: moves of the vertex at the top drag faces through
-	// the leaf.
-	TriangleMesh leaf = grid(2, 2, 0.04, 0.45);
-	for (Vec3d& p : leaf.positions)
-		p = {p.x - 0.02, 2, p.y + 0.5};
-	const TriangleMesh both    = joined(arch(), leaf);
-	const auto         drawTop = [](OnSurface& on, bool intersections) {
-        const int   v        = vertexNear(on, {0, 2, 1});
-        const float start    = on.m().position[v].x;
-        Goal        goal     = drawnAlong(on, v, {1, 0, 0});
-        goal.stepLengths     = {0.05f};
-        goal.limits.contacts = intersections;
-        search(on, goal);
-        return on.m().position[v].x - start;
-	};
-	OnSurface   on(both);
+	OnSurface   on(archOverLeaf());
 	const float free = drawTop(on, false);
 	ASSERT_FALSE(findTouchingPairs(on.m(), on.workers).empty()) << "else nothing is tested";
 
-	OnSurface   guarded(both);
+	OnSurface   guarded(archOverLeaf());
 	const float way = drawTop(guarded, true);
 	EXPECT_GT(way, 0) << "as far as it may";
 	EXPECT_LT(way, free);
 	EXPECT_TRUE(findTouchingPairs(guarded.m(), guarded.workers).empty());
+}
+
+/// The number of contacts after a search against contacts of wanted faces.
+std::size_t contactsAfterSearch(OnSurface& on, const std::function<bool(int)>& isWanted)
+{
+	std::int64_t work = 100000000;
+	LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, on.workers);
+	search.run(facesInContact(search, isWanted));
+	on.expectSound();
+	on.expectOnSurface();
+	return findTouchingPairs(on.m(), on.workers).size();
+}
+
+TEST(LocalSearch, MovesFacesInContactApart)
+{
+	OnSurface on(archOverLeaf());
+	drawTop(on, false);
+	const std::size_t before    = findTouchingPairs(on.m(), on.workers).size();
+	const float       agreement = leastAgreement(on);
+	ASSERT_GT(before, 0u);
+	EXPECT_EQ(contactsAfterSearch(on, [](int) { return false; }), before) << "none is wanted";
+	EXPECT_EQ(contactsAfterSearch(on, [](int) { return true; }), 0u);
+	EXPECT_GT(on.minAngleDeg(), 5) << "not at any price";
+	EXPECT_GE(leastAgreement(on), agreement);
 }
 
 TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)

@@ -92,7 +92,8 @@ TEST(PatchFilling, TellsWhereTheInputHasTooFewVertices)
 {
 	NestInSheet            nest(600);
 	const std::vector<int> kept;
-	const MakingOfVertices making{nest.surface(), kept};
+	const BoundaryCurves   curves;
+	const MakingOfVertices making{nest.surface(), curves, kept};
 	std::vector<char>      marked = nest.marks();
 	PatchFilling           filling(making, nest.result(), nest.workers);
 	ASSERT_TRUE(filling.fill(marked));

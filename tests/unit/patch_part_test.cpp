@@ -98,6 +98,29 @@ TEST(PatchPart, OfJoinedSheetsIsPutBackIntoJoinedSheets)
 	EXPECT_TRUE(sheet.result.mesh.meetsAtPlaces);
 }
 
+TEST(PatchPart, KeepsFeatureLines)
+{
+	Sheet         sheet;
+	HalfEdgeMesh& m = sheet.result.mesh;
+	m.crease.reset(m.halfEdgeNum());
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		m.crease[h] = m.opposite[h] >= 0 && std::min(h, m.opposite[h]) % 5 == 0;
+	const auto lengthOfLines = [&] {
+		double sum = 0;
+		for (int h = 0; h < m.halfEdgeNum(); ++h)
+			sum +=
+				m.isCreaseEdge(h) ? length(m.position[m.target(h)] - m.position[m.origin[h]]) : 0;
+		return sum;
+	};
+	const double            before = lengthOfLines();
+	std::vector<FilledPart> parts;
+	parts.push_back(sheet.unchangedPart(m.faceNum / 2));
+	std::vector<int> newIndex;
+	putBack(parts, sheet.result, newIndex);
+	EXPECT_GT(before, 0);
+	EXPECT_NEAR(lengthOfLines(), before, 1e-6 * before);
+}
+
 TEST(PatchPart, HasRoomUnlessMarksComeNearItsRim)
 {
 	Sheet             sheet;

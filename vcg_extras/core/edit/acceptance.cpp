@@ -37,6 +37,7 @@ constexpr Row table[] = {
 	{Driver::LargeAngles,    {-2,   0,    asked,        0.6f        , 0.05f, 0.5f, 0.5f, true,  true}},
 	{Driver::WorstDistances, {0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false}},
 	{Driver::Refinement,     {-2,   0,    5 * radians,  0,            any,   any,  -2,   false, true}},
+	{Driver::Contacts,       {-2,   0,    5 * radians,  0.2f,         any,   any,  -2,   false, false}},
 	{Driver::GuardedRelaxation, {0.7f, 0, 0,            0.2f,         0.1f,  any,  -2,   false, true}},
 	// clang-format on
 };

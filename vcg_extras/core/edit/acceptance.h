@@ -43,6 +43,7 @@ enum class Driver {
 	LargeAngles,       ///< local search after the fit, for the largest angles
 	WorstDistances,    ///< moves at the largest distances of input and result
 	Refinement,        ///< splits for a given error bound
+	Contacts,          ///< local search against contacts
 	GuardedRelaxation, ///< flips and slides at vertices made by the guard
 };
 

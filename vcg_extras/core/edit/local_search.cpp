@@ -50,6 +50,7 @@ bool LocalSearch::run(const Goal& goal)
 	attempts_ = goal.budget.attempts;
 	failed_   = FailedAttempts(m_.vertexNum + spare_);
 
+	if (looksForContacts() && boxes_ == nullptr) boxes_.reset(new FaceBoxes(m_, workers_));
 	std::vector<int> bad = findBad(goal);
 	if (isExhausted()) return bad.empty();
 	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
@@ -108,7 +109,7 @@ void LocalSearch::improveAt(int f)
 	for (int change = 0; change < maxChanges; ++change) {
 		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
 		if (!goal_->isBad(f)) return;
-		if (goal_->limits.contacts) lookForIntersections(f);
+		if (looksForContacts()) lookForIntersections(f);
 		--attempts_;
 		const bool isBetter = goal_->takesFirst ? takeEach(f) : takeBest(f);
 		if (!isBetter) {
@@ -298,6 +299,7 @@ float LocalSearch::costOf(const std::vector<int>& faces)
 	float cost = 0;
 	for (int f : faces)
 		cost += goal_->faceCost(f);
+	if (goal_->contactCost > 0) cost += goal_->contactCost * float(intersectionNum(faces));
 	return cost;
 }
 
@@ -326,6 +328,11 @@ bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
 		   now.angle >= std::min(limits.angle, before.angle);
 }
 
+bool LocalSearch::hasContact(int f) const
+{
+	return countTouchingPairs(m_, {f}, facesMeeting(boxOfFace(m_, f))) > 0;
+}
+
 int LocalSearch::intersectionNum(const std::vector<int>& faces)
 {
 	std::int64_t pairs = 0;
@@ -337,24 +344,30 @@ int LocalSearch::intersectionNum(const std::vector<int>& faces)
 void LocalSearch::lookForIntersections(int f)
 {
 	findNear(f);
-	intersectsHere_ = intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
+	intersectsHere_ =
+		goal_->limits.contacts && intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
 }
 
 /// Finds the faces that a patch round f may intersect.
 void LocalSearch::findNear(int f)
 {
-	if (boxes_ == nullptr) boxes_.reset(new FaceBoxes(m_, workers_));
 	const float margin = editor_.meanEdge(m_.origin[3 * f]);
 	const Vec3f reach{margin, margin, margin};
 	Box<float>  box = boxOfFaces(m_, facesRound(m_, ringsRound(f, 1)));
 	box.low         = box.low - reach;
 	box.high        = box.high + reach;
-	near_           = boxes_->meeting(box);
+	near_           = facesMeeting(box);
 	work_ -= std::int64_t(changedFaces_.size() + near_.size());
+}
+
+std::vector<int> LocalSearch::facesMeeting(const Box<float>& box) const
+{
+	std::vector<int> faces = boxes_->meeting(box);
 	for (int g : changedFaces_) {
-		if (!isDeadFace(m_, g) && boxOfFace(m_, g).meets(box)) near_.push_back(g);
+		if (!isDeadFace(m_, g) && boxOfFace(m_, g).meets(box)) faces.push_back(g);
 	}
-	sortUnique(near_);
+	sortUnique(faces);
+	return faces;
 }
 
 /// The corners of f and the vertices within ringNum rings round the corners.

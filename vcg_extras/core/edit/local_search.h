@@ -32,6 +32,7 @@ struct Goal {
 	std::function<float(int face)> faceCost;
 	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share of cost, less this
 	float collapseCost = 0; ///< a collapse must gain this much more than other operations
+	float contactCost  = 0; ///< cost of a contact of a face; 0: contacts are not looked for
 	std::vector<Operation::Kind> operations;
 	std::vector<float>           stepLengths; ///< of moves, in mean edges
 	bool       settles    = true;  ///< the mesh round a change settles by moves and flips
@@ -57,6 +58,8 @@ public:
 	/// False if the budget ended the search and bad faces are left.
 	bool             run(const Goal& goal);
 	std::vector<int> findBad(const Goal& goal) const;
+	/// Whether a face touches another face. During a search with a cost of contacts only.
+	bool hasContact(int f) const;
 
 	PatchEditor&        editor() { return editor_; }
 	const HalfEdgeMesh& mesh() const { return m_; }
@@ -132,6 +135,7 @@ private:
 	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
 											  const Triangles& triangles, float edge);
 	bool keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
+	bool looksForContacts() const { return goal_->limits.contacts || goal_->contactCost > 0; }
 	bool limitsGaps() const { return goal_->limits.gap < HUGE_VALF; }
 	bool keepsGap(const Before& before, const std::vector<int>& faces);
 	/// Per face: the surface faces below its corners.
@@ -151,6 +155,7 @@ private:
 	/// The number of intersecting pairs with a face of `faces` (ascending) and a face of near_.
 	int              intersectionNum(const std::vector<int>& faces);
 	void             findNear(int f);
+	std::vector<int> facesMeeting(const Box<float>& box) const;
 	void             lookForIntersections(int f);
 	std::vector<int> ringsRound(int f, int ringNum);
 };

@@ -285,8 +285,7 @@ ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& con
 	for (std::size_t v = 0; v < result.vertex.size(); ++v)
 		figures.vertexNum +=
 			result.vertex[v].isMade ? result.mesh.multiplicity(result.mesh.position[v]) : 0;
-	if (figures.vertexNum == 0) return outcome;
-	outcome.hasMade = true;
+	outcome.hasMade = figures.vertexNum > 0;
 	figures.pairNum = std::int64_t(contacts.find(result.mesh, workers).size());
 	return outcome;
 }

@@ -87,19 +87,37 @@ Box<float> InputContacts::surroundings(const HalfEdgeMesh& result, int f) const
 	return {box.low - margin, box.high + margin};
 }
 
+bool InputContacts::isNear(const HalfEdgeMesh& result, int f) const
+{
+	return touching_ &&
+		   !touching_->forEachMeeting(surroundings(result, f), [](int) { return false; });
+}
+
 std::vector<FacePair> InputContacts::withoutInputs(const HalfEdgeMesh&          result,
 												   const std::vector<FacePair>& pairs) const
 {
 	if (!touching_) return pairs;
-	std::vector<char> isNear(std::size_t(result.faceNum), 0);
+	std::vector<char> nearInput(std::size_t(result.faceNum), 0);
 	for (int f : facesOf(pairs))
-		isNear[std::size_t(f)] =
-			!touching_->forEachMeeting(surroundings(result, f), [](int) { return false; });
+		nearInput[std::size_t(f)] = isNear(result, f);
 	std::vector<FacePair> others;
 	std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others), [&](const FacePair& pair) {
-		return !isNear[std::size_t(pair.first)] && !isNear[std::size_t(pair.second)];
+		return !nearInput[std::size_t(pair.first)] && !nearInput[std::size_t(pair.second)];
 	});
 	return others;
+}
+
+std::vector<FacePair> InputContacts::othersIn(const HalfEdgeMesh&                  result,
+											  const std::function<bool(int face)>& isWanted,
+											  Workers&                             workers) const
+{
+	std::vector<FacePair> pairs = findTouchingPairs(result, workers);
+	pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+							   [&](const FacePair& pair) {
+								   return !isWanted(pair.first) && !isWanted(pair.second);
+							   }),
+				pairs.end());
+	return withoutInputs(result, pairs);
 }
 
 } // namespace gpr

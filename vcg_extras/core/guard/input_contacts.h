@@ -10,6 +10,7 @@
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -27,9 +28,15 @@ public:
 	/// Contacts found in the input.
 	std::int64_t pairNum() const { return pairNum_; }
 
+	/// Whether a face of the result is near a contact of the input.
+	bool isNear(const HalfEdgeMesh& result, int f) const;
 	/// The pairs of the result that are not near contacts of the input.
 	std::vector<FacePair> withoutInputs(const HalfEdgeMesh&          result,
 										const std::vector<FacePair>& pairs) const;
+	/// All such contacts of a result with a wanted face. Cost: of findTouchingPairs.
+	std::vector<FacePair> othersIn(const HalfEdgeMesh&                  result,
+								   const std::function<bool(int face)>& isWanted,
+								   Workers&                             workers) const;
 
 private:
 	float                      distance_;

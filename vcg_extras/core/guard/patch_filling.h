@@ -6,6 +6,7 @@
 #include "patch_refill.h"
 
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
@@ -17,6 +18,7 @@ namespace gpr {
 /// The surface, and the rules for vertices made from the surface by guarded collapses.
 struct MakingOfVertices {
 	const Surface&          surface;
+	const BoundaryCurves&   curves;
 	const std::vector<int>& kept; ///< vertices of the surface that stay; ascending
 	bool                    mayLeaveSurface = true;  ///< made vertices may lie off the surface
 	double                  adapt           = 0;     ///< weight of the error on sizes

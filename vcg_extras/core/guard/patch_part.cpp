@@ -62,6 +62,10 @@ public:
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
 			if (m_.origin[h] < 0) addVertex(h);
 		}
+		if (!whole_.mesh.hasCreases()) return;
+		m_.crease.reset(m_.halfEdgeNum());
+		for (int h = 0; h < m_.halfEdgeNum(); ++h)
+			m_.crease[h] = whole_.mesh.crease[inWhole(h)];
 	}
 
 private:
@@ -172,9 +176,11 @@ public:
 		for (const FilledPart& part : parts_)
 			nameFaces(part);
 		reserve(m_, m_.vertexNum, m_.faceNum);
+		if (old.hasCreases()) m_.crease.reset(m_.halfEdgeNum());
 		for (int h = 0; h < old.halfEdgeNum(); ++h) {
 			const int to = renamed(h);
 			if (to < 0) continue;
+			if (m_.hasCreases()) m_.crease[to] = old.crease[h];
 			m_.origin[to]   = newIndex_[std::size_t(old.origin[h])];
 			m_.opposite[to] = old.opposite[h] < 0 ? -1 : renamed(old.opposite[h]);
 		}
@@ -266,7 +272,8 @@ private:
 			const int f = faceName[std::size_t(h / 3)];
 			if (f < 0) continue;
 			const int to = 3 * f + h % 3, v = from.origin[h], name = vertexName[std::size_t(v)];
-			m_.origin[to]              = name;
+			m_.origin[to] = name;
+			if (m_.hasCreases()) m_.crease[to] = from.isCreaseEdge(h);
 			m_.position[name]          = from.position[v];
 			vertex_[std::size_t(name)] = p.filled.vertex[std::size_t(v)];
 			const int g                = from.opposite[h];

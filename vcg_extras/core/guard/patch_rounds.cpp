@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_rounds.h"
 
+#include "patch_changes.h"
+
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
@@ -27,8 +29,13 @@ constexpr int smallComponent = 200;
 /// Most looks at vertices of the working surface by tries that fail, over the number of its faces.
 /// Tries that succeed look at each vertex a few times at most.
 constexpr double mostLostWork = 2;
-/// This many looks are allowed at any rate: two seconds, less than making a component anew.
+/// This many looks are allowed at any rate: two seconds, less than making a component anew. With
+/// fewer looks, whole components are made anew instead.
 constexpr double leastLostWork = 1'000'000;
+
+/// Work of flips and moves, see LocalSearch: of all patches of a turn, and the least and most of a
+/// patch. Less work removes fewer contacts; more work took longer than making the patches anew.
+constexpr std::int64_t workOfChanges = 16'000'000, leastOfPatch = 300'000, mostOfPatch = 2'000'000;
 
 /// A patch by the corners of its faces; corners keep their names while other patches are filled.
 struct Patch {
@@ -208,11 +215,13 @@ private:
 			faces.push_back(std::move(own));
 		}
 		waiting_ = std::move(later);
-		const FaceBoxes  tree(result_.mesh, workers_);
-		std::vector<Try> tries(now.size());
+		const FaceBoxes    tree(result_.mesh, workers_);
+		std::vector<Try>   tries(now.size());
+		const std::int64_t work =
+			std::clamp(workOfChanges / std::int64_t(now.size() + 1), leastOfPatch, mostOfPatch);
 		workers_.forTasks(now.size(), [&](std::size_t i, int worker) {
 			Workers inner(workers_, worker);
-			fillOne(tree, faces[i], now[i].tries, inner, tries[i]);
+			fillOne(tree, faces[i], now[i].tries, work, inner, tries[i]);
 		});
 		take(now, tries);
 	}
@@ -246,12 +255,18 @@ private:
 	}
 
 	void fillOne(const FaceBoxes& tree, const std::vector<int>& faces, int triesBefore,
-				 Workers& inner, Try& out) const
+				 std::int64_t work, Workers& inner, Try& out) const
 	{
 		PatchPart         part = cutPart(result_, tree, faces, triesBefore, inner);
 		std::vector<char> marked;
 		for (int f : part.face)
 			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
+		if (triesBefore == 0 &&
+			changePatch(making_, ofInput_, part, marked, work, inner, out.filled)) {
+			out.isFilled = true;
+			out.grown    = faces;
+			return;
+		}
 		PatchFilling filling(making_, part.result, inner);
 		const bool   fits =
 			filling.fill(marked, [&](const std::vector<char>& m) { return part.hasRoomFor(m); });
@@ -272,27 +287,14 @@ private:
 	bool isBetter(const PatchPart& part, const PatchFilling& filling, Workers& inner,
 				  std::vector<char>& marked) const
 	{
-		const std::vector<FacePair> left =
-			touchingIn(filling.mesh(), inner, [&](int f) { return filling.isChanged(f); });
+		const std::vector<FacePair> left = ofInput_.othersIn(
+			filling.mesh(), [&](int f) { return filling.isChanged(f); }, inner);
 		if (left.empty()) return true;
-		const std::vector<FacePair> before =
-			touchingIn(part.result.mesh, inner, [&](int f) { return marked[std::size_t(f)] != 0; });
+		const std::vector<FacePair> before = ofInput_.othersIn(
+			part.result.mesh, [&](int f) { return marked[std::size_t(f)] != 0; }, inner);
 		if (left.size() < before.size()) return true;
 		filling.markAround(left, marked);
 		return false;
-	}
-
-	template <class IsWanted>
-	std::vector<FacePair> touchingIn(const HalfEdgeMesh& m, Workers& inner,
-									 const IsWanted& isWanted) const
-	{
-		std::vector<FacePair> pairs = findTouchingPairs(m, inner);
-		pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-								   [&](const FacePair& pair) {
-									   return !isWanted(pair.first) && !isWanted(pair.second);
-								   }),
-					pairs.end());
-		return ofInput_.withoutInputs(m, pairs);
 	}
 
 	/// Puts filled patches back; the rest wait for another turn.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace gpr {
 
@@ -79,6 +80,14 @@ float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
 	return lack * lack;
 }
 
+// ---- contacts
+
+/// Cost of a contact: the cost of two faces without an angle, so that contacts go at the price of
+/// poor angles, but not at any price.
+constexpr float costOfContact = 2;
+/// Smaller angles cost.
+constexpr float wantedBesideContacts = 30 * radians;
+
 // ---- limits
 
 Acceptance guardedLimits(Driver driver, float angle, float guardedDistance)
@@ -144,6 +153,22 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 	goal.stepLengths    = shortSteps;
 	goal.limits         = guardedLimits(Driver::PoorFaces, angle, guardedDistance);
 	goal.budget.maxLeft = 0.95f; // more rounds would cost more than the gain
+	return goal;
+}
+
+Goal facesInContact(LocalSearch& search, std::function<bool(int face)> isWanted)
+{
+	Goal goal;
+	goal.isBad       = [&search, isWanted](int f) { return isWanted(f) && search.hasContact(f); };
+	goal.faceCost    = LackOfAngle(search.mesh(), wantedBesideContacts);
+	goal.contactCost = costOfContact;
+	goal.operations  = keepingCount;
+	goal.maxLeft     = 1;
+	goal.minGain     = costOfContact / 4;
+	goal.stepLengths = longSteps;
+	goal.limits      = acceptanceOf(Driver::Contacts);
+	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
+	goal.settles         = false;
 	return goal;
 }
 

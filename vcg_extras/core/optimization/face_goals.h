@@ -28,6 +28,10 @@ Goal facesWithoutArea(LocalSearch& search);
 Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
 				 float guardedDistance = HUGE_VALF);
 
+/// Goal against contacts of the wanted faces with other faces. Minimises the number of contacts
+/// plus the sum over the faces of the squared lack of the smallest angle.
+Goal facesInContact(LocalSearch& search, std::function<bool(int face)> isWanted);
+
 /// The largest angle (radians) that counts as poor as a smallest angle: 110° for 32°, 180° for 0.
 float asPoorAs(float smallestAngle);
 

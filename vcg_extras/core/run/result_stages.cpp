@@ -274,8 +274,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	if (!run.options.guard || isPaper(run.options))
 		return {before, before, false, made.result.faceNum()};
 	run.clock.enter(Stage::Contacts);
-	const MakingOfVertices making{made.surface, made.sizes.kept, isFitted(run.options),
-								  *run.options.adapt, decisions.mayEndAbove};
+	const MakingOfVertices making{made.surface,          made.curves,        made.sizes.kept,
+								  isFitted(run.options), *run.options.adapt, decisions.mayEndAbove};
 	ContactOutcome         outcome =
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
 	for (int round = 0; round < countRounds && missesCount(decisions, made.result, outcome);
