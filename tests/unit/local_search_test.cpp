@@ -296,6 +296,24 @@ float leastAgreementAfterDrawing(float least)
 	return leastAgreement(on);
 }
 
+TEST(LocalSearch, OfManyFacesDoesNotDependOnThreads)
+{
+	Random             random(5);
+	const TriangleMesh mesh = jitteredGrid(60, 0.45, random);
+	expectSameForAnyThreads(mesh, [](OnSurface& on, Workers& workers) {
+		const double before = on.minAngleDeg();
+		std::int64_t work   = 100000000;
+		LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, workers);
+		Goal         goal   = smallAngles(search, 30 * radians, keepingCount);
+		const auto   badNum = search.findBad(goal).size();
+		ASSERT_GT(badNum, 100u) << "else nothing is tested";
+		search.run(goal);
+		EXPECT_LT(search.findBad(goal).size(), badNum / 4);
+		EXPECT_GT(on.minAngleDeg(), before);
+		on.expectSound();
+	});
+}
+
 TEST(LocalSearch, TiltsNoFaceFartherFromTheSurfaceThanItMay)
 {
 	EXPECT_LT(leastAgreementAfterDrawing(-1), 0.8f) << "else nothing is tested";

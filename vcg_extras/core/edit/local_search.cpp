@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "local_search.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_contact.h>
-#include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,21 +11,17 @@ namespace gpr {
 
 namespace {
 
-/// The most changes at a face before the next face has its turn.
-constexpr int maxChanges = 6;
-/// Passes of flips and moves after a change; a third pass finds next to nothing.
-constexpr int settlePasses = 2;
-/// Rings round a face that two operations in a row may change: twice the reach of an operation with
-/// its settling.
-constexpr int pairRings = 3;
-/// A settling step must lower the cost to this share: less gain is not worth a step.
-constexpr float settleShare = 0.995f;
-/// Work of four actions: collecting, remembering and restoring a face of a patch; finding the
-/// places of a step; testing a pair of faces for an intersection; measuring the gap of a face. By
-/// measurement, a unit of work takes 8 to 40 ns on all models.
-constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3, workOfGap = 15;
-/// Moves of a vertex with one step length.
-constexpr int maxMoves = 4;
+/// Most faces to try at the same time, and most faces to look at for these. Both decide the order
+/// of changes, so they do not depend on the number of threads.
+constexpr std::size_t mostAtOnce = 32, mostLookedAt = 128;
+
+/// Whether operations change single patches only: neither the count nor the assignment.
+bool keepCount(const std::vector<Operation::Kind>& kinds)
+{
+	return std::all_of(kinds.begin(), kinds.end(), [](Operation::Kind kind) {
+		return kind == Operation::Move || kind == Operation::Flip;
+	});
+}
 
 } // namespace
 
@@ -37,12 +30,9 @@ LocalSearch::LocalSearch(const Surface& surface, const BoundaryCurves& curves,
 						 Workers& workers, int spareVertexNum) :
 		editor_(surface, curves, result, workers, spareVertexNum),
 		m_(result.mesh), assignment_(assignment), workers_(workers), work_(work),
-		isChanged_(std::size_t(m_.faceNum) + 2 * std::size_t(spareVertexNum), 0),
 		spare_(spareVertexNum)
 {
 }
-
-// ---- the rounds
 
 bool LocalSearch::run(const Goal& goal)
 {
@@ -50,16 +40,14 @@ bool LocalSearch::run(const Goal& goal)
 	attempts_ = goal.budget.attempts;
 	failed_   = FailedAttempts(m_.vertexNum + spare_);
 
-	if (looksForContacts() && boxes_ == nullptr) boxes_.reset(new FaceBoxes(m_, workers_));
+	if (looksForContacts() && space_ == nullptr)
+		space_.reset(new FacesInSpace(m_, m_.faceNum + 2 * spare_, workers_));
 	std::vector<int> bad = findBad(goal);
 	if (isExhausted()) return bad.empty();
 	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
 		touched_.clear();
-		for (int f : worstFirst(bad)) {
-			workers_.poll();
-			improveAt(f);
-			if (isExhausted()) return findBad(goal).empty();
-		}
+		improveAll(worstFirst(bad));
+		if (isExhausted()) return findBad(goal).empty();
 		if (touched_.empty()) break;
 		// Only faces bad before, or changed, can be bad now.
 		std::vector<int>       candidates;
@@ -104,417 +92,96 @@ std::vector<int> LocalSearch::stillBad(const std::vector<int>& faces) const
 	return bad;
 }
 
-void LocalSearch::improveAt(int f)
+bool LocalSearch::looksForContacts() const
 {
-	for (int change = 0; change < maxChanges; ++change) {
-		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
-		if (!goal_->isBad(f)) return;
-		if (looksForContacts()) lookForIntersections(f);
-		--attempts_;
-		const bool isBetter = goal_->takesFirst ? takeEach(f) : takeBest(f);
-		if (!isBetter) {
-			failed_.noteFailure(m_, f);
-			return;
-		}
-		if (isExhausted()) return;
-	}
-}
-
-/// Keeps each helpful operation in turn.
-bool LocalSearch::takeEach(int f)
-{
-	bool isBetter = false;
-	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
-		const std::vector<int> patch = editor_.patchOf(op);
-		if (patch.empty() || attempt(op, lookAt(op, patch), 0) == 0) continue;
-		keep({op});
-		isBetter = true;
-		if (!goal_->isBad(f)) break;
-	}
-	return isBetter;
-}
-
-bool LocalSearch::takeBest(int f)
-{
-	const std::vector<Operation> best = goal_->inPairs ? bestPair(f) : bestSingle(f);
-	if (!best.empty()) keep(best);
-	return !best.empty();
-}
-
-// ---- trials
-
-std::vector<Operation> LocalSearch::bestSingle(int f)
-{
-	std::vector<Operation> best;
-	float                  bestGain = 0;
-	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
-		const std::vector<int> patch = editor_.patchOf(op);
-		if (patch.empty()) continue;
-		float gain = attempt(op, lookAt(op, patch), bestGain);
-		if (op.isCollapse()) gain -= goal_->collapseCost;
-		if (gain <= bestGain) continue;
-		bestGain = gain;
-		best     = {op};
-	}
-	return best;
-}
-
-/// Finds the best pair of operations: two in a row may help if no single operation does. The second
-/// is at the worst face after the first.
-std::vector<Operation> LocalSearch::bestPair(int f)
-{
-	std::vector<Operation> best;
-	float                  bestGain = 0;
-	Before                 before   = lookAt(editor_.remember(ringsRound(f, pairRings)));
-	for (const Operation& first : operationsAt(m_, f, goal_->operations)) {
-		workers_.poll();
-		if (make(first)) {
-			const int next = worstFirst(facesNow(before)).front();
-			for (const Operation& second : operationsAt(m_, next, goal_->operations)) {
-				const PatchEditor::Snapshot between = editor_.remember(editor_.patchOf(second));
-				float                       gain    = make(second) ? gainOver(before) : 0;
-				if (gain > bestGain && !keepsLimits(before)) gain = 0;
-				editor_.undo(between);
-				if (gain <= bestGain) continue;
-				bestGain = gain;
-				best     = {first, second};
-			}
-		}
-		editor_.undo(before.snapshot);
-	}
-	return best;
-}
-
-LocalSearch::Before LocalSearch::lookAt(const Operation& op, const std::vector<int>& patch)
-{
-	const bool isBareFlip = op.kind == Operation::Flip && !goal_->settles;
-	Before     before =
-		lookAt(isBareFlip ? editor_.rememberFlip(op.halfEdge) : editor_.remember(patch));
-	before.keepsFaces = isBareFlip || op.kind == Operation::Move;
-	return before;
-}
-
-LocalSearch::Before LocalSearch::lookAt(PatchEditor::Snapshot snapshot)
-{
-	Before before(std::move(snapshot));
-	before.triangles = trianglesOf(m_, before.faces());
-	before.cost      = costOf(before.faces());
-	before.worst     = worstOf(before.faces());
-	for (int v : before.snapshot.backup.vertices())
-		before.meanEdge = std::max(before.meanEdge, editor_.meanEdge(v));
-	if (limitsGaps()) before.seeds = seedsOf(before.faces());
-	if (intersectsHere_) before.intersections = intersectionNum(before.faces());
-	work_ -= workOfPatchFace * std::int64_t(before.faces().size());
-	return before;
-}
-
-/// The fall of cost by an operation; 0 if the operation is refused or gains no more than `known`.
-/// The mesh is as before afterwards.
-float LocalSearch::attempt(const Operation& op, Before before, float known)
-{
-	float gain = make(op) ? gainOver(before) : 0;
-	if (gain > known && !keepsLimits(before)) gain = 0;
-	editor_.undo(before.snapshot);
-	return gain;
-}
-
-std::vector<int> LocalSearch::facesNow(const Before& before) const
-{
-	if (before.keepsFaces) return before.faces();
-	return facesRound(m_, editor_.patchNow(before.snapshot));
-}
-
-float LocalSearch::gainOver(const Before& before)
-{
-	const std::vector<int> faces = facesNow(before);
-	const float            now   = costOf(faces);
-	const bool             pays  = now < goal_->maxLeft * before.cost - goal_->minGain;
-	return pays && keepsWorst(faces, before.worst) ? before.cost - now : 0;
-}
-
-bool LocalSearch::keepsLimits(Before& before)
-{
-	const std::vector<int> faces = facesNow(before);
-	if (before.distance == nullptr)
-		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
-	if (!keepsDistance(before.distance.get(), faces)) return false;
-	if (limitsGaps() && !keepsGap(before, faces)) return false;
-	return !goal_->limits.contacts || intersectionNum(faces) <= before.intersections;
-}
-
-/// Null if distances are not limited.
-std::unique_ptr<PatchDistance> LocalSearch::distanceOf(const std::vector<int>& faces,
-													   const Triangles& triangles, float edge)
-{
-	const Acceptance& limits = goal_->limits;
-	if (!(limits.distance < HUGE_VALF) || assignment_ == nullptr) return nullptr;
-	const PatchDistance::Settings  settings = {limits.distance * edge, limits.guarded};
-	std::unique_ptr<PatchDistance> distance(
-		new PatchDistance(*assignment_, faces, triangles, settings));
-	work_ -= distance->work();
-	return distance;
-}
-
-bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector<int>& faces)
-{
-	if (distance == nullptr) return true;
-	work_ -= distance->work();
-	return distance->isKeptBy(trianglesOf(m_, faces));
-}
-
-/// Whether the patch keeps its gap to the surface. Gaps take long to measure, and nearly all trials
-/// end earlier. So the gap before the trial is only measured if the new gap is larger than allowed.
-bool LocalSearch::keepsGap(const Before& before, const std::vector<int>& faces)
-{
-	const float allowed = goal_->limits.gap * goal_->limits.gap;
-	const float now     = squaredGapOf(trianglesOf(m_, faces), seedsOf(faces), allowed);
-	return now <= allowed || now <= squaredGapOf(before.triangles, before.seeds, allowed);
-}
-
-std::vector<std::array<int, 3>> LocalSearch::seedsOf(const std::vector<int>& faces) const
-{
-	const auto below = [&](int h) { return editor_.result().vertex[m_.origin[h]].point.face; };
-	std::vector<std::array<int, 3>> seeds;
-	for (int f : faces)
-		seeds.push_back({below(3 * f), below(3 * f + 1), below(3 * f + 2)});
-	return seeds;
-}
-
-/// The largest squared gap of the triangles, or `allowed` if no gap is larger.
-float LocalSearch::squaredGapOf(const Triangles&                       triangles,
-								const std::vector<std::array<int, 3>>& seeds, float allowed)
-{
-	float largest = allowed;
-	for (std::size_t i = 0; i < triangles.size(); ++i)
-		largest = gapFromTriangle(editor_.surface().mesh, triangles[i], seeds[i], largest).squared;
-	work_ -= workOfGap * std::int64_t(triangles.size());
-	return largest;
-}
-
-// ---- measures
-
-float LocalSearch::costOf(const std::vector<int>& faces)
-{
-	work_ -= std::int64_t(faces.size());
-	float cost = 0;
-	for (int f : faces)
-		cost += goal_->faceCost(f);
-	if (goal_->contactCost > 0) cost += goal_->contactCost * float(intersectionNum(faces));
-	return cost;
-}
-
-LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
-{
-	const Acceptance& limits = goal_->limits;
-	Worst             worst;
-	for (int f : faces) {
-		if (limits.agreement > -1) {
-			const float own = std::min(editor_.agreement(f), editor_.agreementAtCreases(f));
-			worst.agreement = std::min(worst.agreement, own);
-			worst.invertedNum += own < 0;
-		}
-		if (limits.angle > 0) worst.angle = std::min(worst.angle, smallestAngle(m_, f));
-	}
-	work_ -= 4 * std::int64_t(faces.size());
-	return worst;
-}
-
-bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
-{
-	const Acceptance& limits = goal_->limits;
-	const Worst       now    = worstOf(faces);
-	return now.invertedNum <= before.invertedNum &&
-		   now.agreement >= std::min(limits.agreement, before.agreement) &&
-		   now.angle >= std::min(limits.angle, before.angle);
+	return goal_->limits.contacts || goal_->contactCost > 0;
 }
 
 bool LocalSearch::hasContact(int f) const
 {
-	return countTouchingPairs(m_, {f}, facesMeeting(boxOfFace(m_, f))) > 0;
+	return countTouchingPairs(m_, {f}, space_->meeting(boxOfFace(m_, f))) > 0;
 }
 
-int LocalSearch::intersectionNum(const std::vector<int>& faces)
+// ---- several faces at the same time
+
+/// Contacts may be with any face, and pairs of operations reach far.
+bool LocalSearch::takesSeveral() const
 {
-	std::int64_t pairs = 0;
-	const int    num   = countTouchingPairs(m_, faces, near_, &pairs);
-	work_ -= workOfPair * pairs + std::int64_t(near_.size());
-	return num;
+	return keepCount(goal_->operations) && !goal_->inPairs && !looksForContacts();
 }
 
-void LocalSearch::lookForIntersections(int f)
+bool LocalSearch::mayImprove(int f) const
 {
-	findNear(f);
-	intersectsHere_ =
-		goal_->limits.contacts && intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
+	return !isDeadFace(m_, f) && !failed_.isKnown(m_, f);
 }
 
-/// Finds the faces that a patch round f may intersect.
-void LocalSearch::findNear(int f)
+void LocalSearch::improveAll(const std::vector<int>& faces)
 {
-	const float margin = editor_.meanEdge(m_.origin[3 * f]);
-	const Vec3f reach{margin, margin, margin};
-	Box<float>  box = boxOfFaces(m_, facesRound(m_, ringsRound(f, 1)));
-	box.low         = box.low - reach;
-	box.high        = box.high + reach;
-	near_           = facesMeeting(box);
-	work_ -= std::int64_t(changedFaces_.size() + near_.size());
-}
-
-std::vector<int> LocalSearch::facesMeeting(const Box<float>& box) const
-{
-	std::vector<int> faces = boxes_->meeting(box);
-	for (int g : changedFaces_) {
-		if (!isDeadFace(m_, g) && boxOfFace(m_, g).meets(box)) faces.push_back(g);
-	}
-	sortUnique(faces);
-	return faces;
-}
-
-/// The corners of f and the vertices within ringNum rings round the corners.
-std::vector<int> LocalSearch::ringsRound(int f, int ringNum)
-{
-	std::vector<int> vertices = verticesOf(m_, {f});
-	for (int ring = 0; ring < ringNum; ++ring)
-		vertices = verticesOf(m_, facesRound(m_, vertices));
-	work_ -= workOfPatchFace * std::int64_t(vertices.size());
-	return vertices;
-}
-
-// ---- changes
-
-bool LocalSearch::make(const Operation& op)
-{
-	if (op.kind == Operation::Move) return moveToBest(m_.origin[op.halfEdge]);
-	if (op.kind == Operation::Flip && goal_->limits.gentleFlips &&
-		!(editor_.mayFlip(op.halfEdge) && editor_.isGentleFlip(op.halfEdge)))
-		return false;
-	const std::vector<int> patch     = editor_.patchOf(op);
-	const int              vertexNum = m_.vertexNum;
-	if (!editor_.make(op)) return false;
-	if (!goal_->settles) return true;
-	std::vector<int> left;
-	for (int v : patch) {
-		if (m_.outgoing[v] >= 0) left.push_back(v);
-	}
-	for (int v = vertexNum; v < m_.vertexNum; ++v) {
-		if (m_.outgoing[v] >= 0) left.push_back(v);
-	}
-	settle(left);
-	return true;
-}
-
-void LocalSearch::settle(const std::vector<int>& patch)
-{
-	for (int pass = 0; pass < settlePasses; ++pass) {
-		if (patch.size() > 4) {
-			for (int f : facesRound(m_, patch)) {
-				for (int h = 3 * f; h < 3 * f + 3; ++h)
-					flipIfBetter(h, patch);
-			}
-		}
-		for (int v : patch)
-			moveToBest(v);
+	if (takesSeveral() && claims_ == nullptr) claims_.reset(new Claims(m_.vertexNum + spare_));
+	std::deque<int> waiting(faces.begin(), faces.end());
+	while (!waiting.empty() && !isExhausted()) {
+		workers_.poll();
+		improve(takeSome(waiting));
 	}
 }
 
-/// patch: ascending.
-void LocalSearch::flipIfBetter(int h, const std::vector<int>& patch)
+/// Takes the first faces whose claims do not meet.
+LocalSearch::Batch LocalSearch::takeSome(std::deque<int>& waiting)
 {
-	if (m_.opposite[h] < 0) return;
-	for (int v : editor_.cornersAt(h)) {
-		if (!std::binary_search(patch.begin(), patch.end(), v)) return;
-	}
-	const std::vector<int> pair = {std::min(h, m_.opposite[h]) / 3,
-								   std::max(h, m_.opposite[h]) / 3};
-	const float            cost = costOf(pair);
-	if (cost == 0 || !editor_.mayFlip(h)) return;
-	if (goal_->limits.gentleFlips && !editor_.isGentleFlip(h)) return;
-	const Worst before = worstOf(pair);
-	editor_.flip(h);
-	if (!(costOf(pair) < settleShare * cost && keepsWorst(pair, before))) editor_.flipBack(h);
-}
-
-bool LocalSearch::moveToBest(int v)
-{
-	if (!editor_.mayMove(v, goal_->mayCrowd)) return false;
-	float cost = costOf(facesRound(m_, {v}));
-	if (cost == 0) return false;
-	const float edge   = editor_.meanEdge(v);
-	bool        better = false;
-	for (float length : goal_->stepLengths) {
-		for (int move = 0; move < maxMoves; ++move) {
-			if (!stepFrom(v, length * edge, cost)) break;
-			better = true;
-		}
-	}
-	return better;
-}
-
-/// Moves v by a step to the place with the least cost of its faces; false if no place is better.
-bool LocalSearch::stepFrom(int v, float reach, float& cost)
-{
-	const std::vector<int>         faces = facesRound(m_, {v});
-	const PatchEditor::VertexState start = editor_.stateOf(v);
-	PatchEditor::VertexState       best  = start;
-	bool                           found = false;
-	StepLimits before; // measured at the first better place: most steps find none
-	work_ -= workOfStep;
-	for (const PatchEditor::VertexState& next : editor_.statesAround(v, reach, goal_->mayCrowd)) {
-		if (!editor_.isNearStart(v, next, goal_->limits.move, goal_->limits.normalTurn)) continue;
-		editor_.put(v, next);
-		const float now = costOf(faces);
-		if (!(now < settleShare * cost)) continue;
-		if (!before.isKnown) {
-			editor_.put(v, start);
-			before.isKnown  = true;
-			before.worst    = worstOf(faces);
-			before.distance = distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v));
-			editor_.put(v, next);
-		}
-		if (!keepsWorst(faces, before.worst) || !keepsDistance(before.distance.get(), faces))
+	Batch            batch;
+	std::vector<int> later;
+	const bool       takesOne = !takesSeveral();
+	if (!takesOne) claims_->clear();
+	const std::size_t most = takesOne ? 1 : mostAtOnce;
+	for (std::size_t i = 0; i < mostLookedAt && !waiting.empty() && batch.face.size() < most; ++i) {
+		const int f = waiting.front();
+		waiting.pop_front();
+		if (!mayImprove(f)) continue;
+		const int claim = takesOne ? 1 : claims_->claim(m_, f);
+		if (claim == 0) {
+			later.push_back(f);
 			continue;
-		cost  = now;
-		best  = next;
-		found = true;
+		}
+		batch.face.push_back(f);
+		batch.claim.push_back(claim);
 	}
-	editor_.put(v, best);
-	return found;
+	waiting.insert(waiting.begin(), later.begin(), later.end());
+	return batch;
 }
 
-// ---- kept operations
-
-std::vector<int> LocalSearch::patchOf(const std::vector<Operation>& ops)
+void LocalSearch::improve(const Batch& batch)
 {
-	if (ops.size() == 1) return editor_.patchOf(ops.front());
-	return ringsRound(ops.front().halfEdge / 3, pairRings);
+	std::vector<FaceTrials> trials;
+	for (int claim : batch.claim) {
+		const Claims* claims = takesSeveral() ? claims_.get() : nullptr;
+		FacesInSpace* space  = looksForContacts() ? space_.get() : nullptr;
+		trials.emplace_back(
+			TrialRoom{editor_, workers_, assignment_, space, claims, claim, work_, attempts_},
+			*goal_);
+	}
+	if (trials.size() == 1)
+		trials.front().improve(batch.face.front());
+	else
+		workers_.forTasks(trials.size(),
+						  [&](std::size_t i, int) { trials[i].improve(batch.face[i]); });
+	const std::int64_t work = work_, attempts = attempts_;
+	for (std::size_t i = 0; i < trials.size(); ++i) {
+		work_ -= work - trials[i].workLeft();
+		attempts_ -= attempts - trials[i].attemptsLeft();
+		note(batch.face[i], trials[i]);
+	}
 }
 
-void LocalSearch::keep(const std::vector<Operation>& ops)
+void LocalSearch::note(int f, const FaceTrials& trials)
 {
-	const PatchEditor::Snapshot before    = editor_.remember(patchOf(ops));
-	const std::vector<int>&     faces     = before.backup.faces();
-	const Triangles             triangles = trianglesOf(m_, faces);
-	for (const Operation& op : ops) {
-		make(op);
-		editor_.countDone(op);
+	for (const FaceTrials::Kept& change : trials.kept()) {
+		for (const Operation& op : change.operations)
+			editor_.countDone(op);
+		failed_.noteChange(m_, change.patch);
+		touched_.insert(touched_.end(), change.patch.begin(), change.patch.end());
+		++changeNum_;
 	}
-	const std::vector<int> patch = editor_.patchNow(before);
-	const std::vector<int> now   = facesRound(m_, patch);
-	for (std::size_t i = 0; assignment_ != nullptr && i < faces.size(); ++i) {
-		if (isDeadFace(m_, faces[i])) assignment_->transfer(faces[i], triangles[i], m_, now);
-	}
-	note(patch, now);
-	++changeNum_;
-}
-
-void LocalSearch::note(const std::vector<int>& patch, const std::vector<int>& faces)
-{
-	failed_.noteChange(m_, patch);
-	touched_.insert(touched_.end(), patch.begin(), patch.end());
-	for (int f : faces) {
-		if (!isChanged_[f]) changedFaces_.push_back(f);
-		isChanged_[f] = 1;
-	}
+	if (trials.hasFailed()) failed_.noteFailure(m_, f);
 }
 
 } // namespace gpr

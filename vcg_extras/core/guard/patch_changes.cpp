@@ -15,7 +15,8 @@ namespace gpr {
 namespace {
 
 /// Least work for a contact. Patches with more contacts than the work allows stay as they are:
-/// with less work, flips and moves seldom remove all contacts, and the patch is made anew after all.
+/// with less work, flips and moves seldom remove all contacts, and the patch is made anew after
+/// all.
 constexpr std::int64_t workOfContact = 50'000;
 
 /// Per face: whether its corners are others than before, or in other places.
@@ -55,11 +56,10 @@ bool changePatch(const MakingOfVertices& making, const InputContacts& ofInput, P
 	const std::size_t   num    = contacts(before);
 	if (num == 0 || std::int64_t(num) * workOfContact > work) return false;
 
-	ResultMesh   changed = copyResult(part.result, workers);
-	LocalSearch  search(making.surface, making.curves, nullptr, work, changed, workers);
-	Goal goal = facesInContact(search, [&](int f) {
-		return isMarked(f) && !ofInput.isNear(changed.mesh, f);
-	});
+	ResultMesh  changed = copyResult(part.result, workers);
+	LocalSearch search(making.surface, making.curves, nullptr, work, changed, workers);
+	Goal        goal = facesInContact(
+			   search, [&](int f) { return isMarked(f) && !ofInput.isNear(changed.mesh, f); });
 	for (const bool inPairs : {false, true}) {
 		goal.inPairs = inPairs;
 		search.run(goal);

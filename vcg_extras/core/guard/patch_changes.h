@@ -11,8 +11,8 @@
 
 namespace gpr {
 
-/// Removes contacts of a patch by flips and by moves of vertices on the surface, so that no vertices
-/// have to be made anew. Patches with too many contacts for the work are left alone.
+/// Removes contacts of a patch by flips and by moves of vertices on the surface, so that no
+/// vertices have to be made anew. Patches with too many contacts for the work are left alone.
 /// marked: per face of the part, the faces of the patch. Returns whether fewer contacts are left;
 /// `out` then has the changed patch. Otherwise part and `out` stay as they were.
 /// work: of the search, see LocalSearch.

@@ -506,8 +506,9 @@ PatchBackup::PatchBackup(const HalfEdgeMesh& m, std::vector<int> vertices, std::
 
 void PatchBackup::restore(HalfEdgeMesh& m) const
 {
-	m.vertexNum = vertexNum_;
-	m.faceNum   = faceNum_;
+	// Restores at the same time write no shared number.
+	if (m.vertexNum != vertexNum_) m.vertexNum = vertexNum_;
+	if (m.faceNum != faceNum_) m.faceNum = faceNum_;
 	for (std::size_t i = 0; i < vertex_.size(); ++i) {
 		m.outgoing[vertex_[i]] = outgoing_[i];
 		m.position[vertex_[i]] = position_[i];

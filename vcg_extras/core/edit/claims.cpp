@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "claims.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gpr {
+
+namespace {
+
+/// Rings of vertices round a face with the same owner, and how many of these may change.
+constexpr int ringNum = 4, changingRings = 2;
+
+} // namespace
+
+int Claims::claim(const HalfEdgeMesh& m, int face)
+{
+	reached_.clear();
+	++visit_;
+	bool isTaken = false;
+	const auto reach = [&](int v) {
+		if (visitOf_[std::size_t(v)] == visit_) return;
+		visitOf_[std::size_t(v)] = visit_;
+		isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;
+		reached_.push_back(v);
+	};
+	for (int h = 3 * face; h < 3 * face + 3; ++h)
+		reach(m.origin[h]);
+	std::size_t begin = 0, changingNum = 0;
+	for (int ring = 0; ring < ringNum && !isTaken; ++ring) {
+		const std::size_t end = reached_.size();
+		if (ring == changingRings) changingNum = end;
+		for (; begin < end && !isTaken; ++begin)
+			forEachNeighbour(m, reached_[begin], reach);
+	}
+	if (isTaken) return 0;
+	const int name = next_++;
+	for (std::size_t i = 0; i < reached_.size(); ++i)
+		owner_[std::size_t(reached_[i])] = i < changingNum ? name : -name;
+	return name;
+}
+
+bool Claims::allow(int claim, const std::vector<int>& patch) const
+{
+	return std::all_of(patch.begin(), patch.end(),
+					   [&](int v) { return owner_[std::size_t(v)] == claim; });
+}
+
+} // namespace gpr
