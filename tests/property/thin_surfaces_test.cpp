@@ -104,7 +104,7 @@ std::size_t expectNoContacts(const TriangleMesh& mesh, int vertexNum, double ada
 	const GuardedFigures& figures = r.report.audit.guarded;
 	EXPECT_TRUE(figures.isTested);
 	EXPECT_EQ(figures.pairNum, 0);
-	EXPECT_EQ(figures.vertexNum > 0, figures.foundPairNum > 0);
+	EXPECT_TRUE(figures.vertexNum == 0 || figures.foundPairNum > 0);
 	return std::size_t(figures.foundPairNum);
 }
 
