@@ -18,12 +18,12 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 {
 	reached_.clear();
 	++visit_;
-	bool isTaken = false;
-	const auto reach = [&](int v) {
-		if (visitOf_[std::size_t(v)] == visit_) return;
-		visitOf_[std::size_t(v)] = visit_;
-		isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;
-		reached_.push_back(v);
+	bool       isTaken = false;
+	const auto reach   = [&](int v) {
+        if (visitOf_[std::size_t(v)] == visit_) return;
+        visitOf_[std::size_t(v)] = visit_;
+        isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;
+        reached_.push_back(v);
 	};
 	for (int h = 3 * face; h < 3 * face + 3; ++h)
 		reach(m.origin[h]);

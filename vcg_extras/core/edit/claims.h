@@ -30,7 +30,7 @@ public:
 	bool allow(int claim, const std::vector<int>& patch) const;
 
 private:
-	std::vector<int> owner_;               ///< per vertex: claim, or -claim in the outer rings
+	std::vector<int> owner_;                ///< per vertex: claim, or -claim in the outer rings
 	int              first_ = 1, next_ = 1; ///< names of the claims of now: from first to next
 	std::vector<int> visitOf_;              ///< per vertex: the last visit
 	int              visit_ = 0;

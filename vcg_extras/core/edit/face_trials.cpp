@@ -120,9 +120,8 @@ std::vector<Operation> FaceTrials::bestSingle(int f)
 /// The first face with the largest cost. faces: ascending, at least one.
 int FaceTrials::costliest(const std::vector<int>& faces) const
 {
-	return *std::max_element(faces.begin(), faces.end(), [&](int f, int g) {
-		return goal_.faceCost(f) < goal_.faceCost(g);
-	});
+	return *std::max_element(faces.begin(), faces.end(),
+							 [&](int f, int g) { return goal_.faceCost(f) < goal_.faceCost(g); });
 }
 
 /// Finds the best pair of operations: two in a row may help if no single operation does. The second
@@ -210,7 +209,7 @@ bool FaceTrials::keepsLimits(Before& before)
 
 /// Null if distances are not limited.
 std::unique_ptr<PatchDistance> FaceTrials::distanceOf(const std::vector<int>& faces,
-													   const Triangles& triangles, float edge)
+													  const Triangles& triangles, float edge)
 {
 	const Acceptance& limits = goal_.limits;
 	if (!(limits.distance < HUGE_VALF) || room_.assignment == nullptr) return nullptr;
@@ -248,7 +247,7 @@ std::vector<std::array<int, 3>> FaceTrials::seedsOf(const std::vector<int>& face
 
 /// The largest squared gap of the triangles, or `allowed` if no gap is larger.
 float FaceTrials::squaredGapOf(const Triangles&                       triangles,
-								const std::vector<std::array<int, 3>>& seeds, float allowed)
+							   const std::vector<std::array<int, 3>>& seeds, float allowed)
 {
 	float largest = allowed;
 	for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -450,8 +449,7 @@ void FaceTrials::keep(const std::vector<Operation>& ops)
 	const std::vector<int> patch = editor_.patchNow(before);
 	const std::vector<int> now   = facesRound(m_, patch);
 	for (std::size_t i = 0; room_.assignment != nullptr && i < faces.size(); ++i) {
-		if (isDeadFace(m_, faces[i]))
-			room_.assignment->transfer(faces[i], triangles[i], m_, now);
+		if (isDeadFace(m_, faces[i])) room_.assignment->transfer(faces[i], triangles[i], m_, now);
 	}
 	if (room_.space != nullptr) room_.space->noteChanged(now);
 	kept_.push_back({ops, patch});

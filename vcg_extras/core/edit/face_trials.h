@@ -36,11 +36,11 @@ private:
 /// different claims.
 struct TrialRoom {
 	PatchEditor&  editor;
-	Workers&      workers;    ///< polled by pairs of operations only, which run alone
-	Assignment*   assignment; ///< null: no limit on distances
-	FacesInSpace* space;      ///< null: contacts are not looked for
-	const Claims* claims;     ///< null: all vertices may change
-	int           claim = 0;  ///< the own claim
+	Workers&      workers;                ///< polled by pairs of operations only, which run alone
+	Assignment*   assignment;             ///< null: no limit on distances
+	FacesInSpace* space;                  ///< null: contacts are not looked for
+	const Claims* claims;                 ///< null: all vertices may change
+	int           claim = 0;              ///< the own claim
 	std::int64_t  work = 0, attempts = 0; ///< left
 };
 
@@ -56,8 +56,7 @@ public:
 	};
 
 	FaceTrials(const TrialRoom& room, const Goal& goal) :
-			room_(room),
-			editor_(room.editor), m_(room.editor.mesh()), goal_(goal)
+			room_(room), editor_(room.editor), m_(room.editor.mesh()), goal_(goal)
 	{
 	}
 
