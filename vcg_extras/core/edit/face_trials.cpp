@@ -240,6 +240,7 @@ std::vector<std::array<int, 3>> FaceTrials::seedsOf(const std::vector<int>& face
 {
 	const auto below = [&](int h) { return editor_.result().vertex[m_.origin[h]].point.face; };
 	std::vector<std::array<int, 3>> seeds;
+	seeds.reserve(faces.size());
 	for (int f : faces)
 		seeds.push_back({below(3 * f), below(3 * f + 1), below(3 * f + 2)});
 	return seeds;

@@ -76,6 +76,7 @@ std::vector<int> LocalSearch::findBad(const Goal& goal) const
 std::vector<int> LocalSearch::worstFirst(std::vector<int> faces) const
 {
 	std::vector<std::pair<float, int>> order;
+	order.reserve(faces.size());
 	for (int f : faces)
 		order.push_back({isDeadFace(m_, f) ? 0.0f : -goal_->faceCost(f), f});
 	std::sort(order.begin(), order.end());
