@@ -19,8 +19,6 @@ ABLATIONS = [
     ("fit", "largest distances", "run/result_stages.cpp",
      "settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : 1;",
      "settings.worstRounds = 0;"),
-    ("fit", "moves that lead to contacts go back", "optimization/fit.cpp",
-     "faces.insert(faces.end(), touching.begin(), touching.end());", ""),
     ("fit", "turn of a face", _ACCEPTANCE, "{Driver::Fit,            {0.5f,", "{Driver::Fit,            {-2,  "),
     ("fit", "agreement with the surface", _ACCEPTANCE, "{Driver::Fit,            {0.5f, 0,    asked,        minAgreement,",
      "{Driver::Fit,            {0.5f, 0,    asked,        -1,          "),

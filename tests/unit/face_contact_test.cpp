@@ -233,77 +233,21 @@ TEST(TouchingPairs, AreSomeHundredsForEachFaceAtMost)
 	EXPECT_EQ(pairs, findTouchingPairs(halfEdgesOf(mesh), one, Seams::Apart));
 }
 
-/// Few or many vertices move, edges are flipped, a vertex comes in, faces die: the updated contacts
-/// are the contacts of a fresh search.
-TEST(KnownContacts, AreThoseOfASearchFromNothing)
-{
-	Workers workers(2, nullptr);
-	int     touching = 0;
-	for (unsigned seed = 1; seed <= 6; ++seed) {
-		Random        random(seed);
-		HalfEdgeMesh  mesh = halfEdgesOf(icosphere(3));
-		KnownContacts known;
-		EditScratch   scratch;
-		reserve(mesh, mesh.vertexNum + 20, mesh.faceNum + 40);
-		for (int round = 0; round < 20; ++round) {
-			const int moved = round % 5 == 0 ? mesh.vertexNum : random.below(4);
-			for (int i = 0; i < moved; ++i) {
-				const int v = random.below(mesh.vertexNum);
-				mesh.position[v] +=
-					Vec3f(float(random.between(-1, 1)), float(random.between(-1, 1)),
-						  float(random.between(-1, 1))) *
-					(round % 5 == 0 ? 0.02f : 0.3f);
-			}
-			const int h = random.below(mesh.halfEdgeNum());
-			if (isDeadFace(mesh, h / 3)) continue;
-			if (round % 3 == 0 && canFlip(mesh, h)) flip(mesh, h);
-			if (round % 3 == 1 && canCollapse(mesh, h, scratch)) collapse(mesh, h);
-			if (round % 3 == 2) {
-				const Vec3f middle =
-					(mesh.position[mesh.origin[h]] + mesh.position[mesh.target(h)]) * 0.5f;
-				mesh.position[mesh.vertexNum] = middle;
-				splitEdge(mesh, h, mesh.vertexNum++);
-			}
-			const std::vector<FacePair> pairs = known.find(mesh, workers);
-			EXPECT_EQ(pairs, findTouchingPairs(mesh, workers)) << seed << " " << round;
-			touching += int(pairs.size());
-		}
-	}
-	EXPECT_GT(touching, 100);
-}
-
-/// A mesh loses its second half and gets this half back: the contacts come back, too.
-TEST(KnownContacts, ComeBackWithFacesThatComeBack)
-{
-	Workers            workers(1, nullptr);
-	const TriangleMesh sphere = icosphere(2);
-	const HalfEdgeMesh whole  = halfEdgesOf(joined(sphere, shifted(sphere, {0.5, 0, 0})));
-	const HalfEdgeMesh half   = halfEdgesOf(sphere);
-	const auto         all    = findTouchingPairs(whole, workers);
-	ASSERT_FALSE(all.empty());
-	KnownContacts known;
-	EXPECT_EQ(known.find(whole, workers), all);
-	EXPECT_TRUE(known.find(half, workers).empty());
-	EXPECT_EQ(known.find(whole, workers), all);
-}
-
 /// A face of half a symmetric mesh may lie on the mirror plane with its border only.
-TEST(KnownContacts, FacesThatReachTheMirrorImageArePairedWithThemselves)
+TEST(TouchingPairs, OfFacesThatReachTheMirrorImageAreTwiceTheSameFace)
 {
 	Workers      workers(2, nullptr);
 	HalfEdgeMesh mesh = halfEdgesOf(grid(4, 4));
 	mesh.mirrorAxis   = 0;
-	KnownContacts known;
-	EXPECT_TRUE(known.find(mesh, workers).empty());
+	EXPECT_TRUE(findTouchingPairs(mesh, workers).empty());
 	const int inner = 12; // the middle of the grid
 	ASSERT_FALSE(mesh.isBorderVertex(inner));
 	for (const float x : {0.0f, -0.1f}) {
 		mesh.position[inner] = {x, 0.5f, 0.5f};
 		int touching         = 0;
-		for (const FacePair& pair : known.find(mesh, workers))
+		for (const FacePair& pair : findTouchingPairs(mesh, workers))
 			touching += pair.first == pair.second;
 		EXPECT_EQ(touching, mesh.valence(inner));
-		EXPECT_EQ(known.find(mesh, workers), findTouchingPairs(mesh, workers));
 	}
 	mesh.mirrorAxis = -1;
 	for (const FacePair& pair : findTouchingPairs(mesh, workers))

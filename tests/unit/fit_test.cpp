@@ -35,15 +35,6 @@ namespace gpr::test {
 
 namespace {
 
-/// z = height - curvature / 2 · x² over [-½, ½]², of n × n cells.
-TriangleMesh trough(int n, double curvature, double height)
-{
-	TriangleMesh mesh = shifted(grid(n, n), {-0.5, -0.5, height});
-	for (Vec3d& p : mesh.positions)
-		p.z -= curvature / 2 * p.x * p.x;
-	return mesh;
-}
-
 std::vector<Vec3f> positionsOf(const HalfEdgeMesh& m)
 {
 	return std::vector<Vec3f>(m.position.begin(), m.position.begin() + m.vertexNum);
@@ -318,30 +309,6 @@ TEST(Fit, StaysInAPlane)
 		for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
 			EXPECT_NEAR(laid.at(v).z, 0, 1e-6) << v;
 		EXPECT_TRUE(isSoundSurface(meshOf(laid.result.mesh)));
-	}
-}
-
-/// A trough upside down under a flat sheet, with a gap smaller than the move of the fit.
-TEST(Fit, DoesNotCrossAnotherSheet)
-{
-	const double       gap  = 0.002;
-	const TriangleMesh fine = trough(100, 1.5, 0), coarse = trough(8, 1.5, 0);
-	const TriangleMesh lid   = shifted(grid(100, 100), {-0.5, -0.5, gap});
-	const TriangleMesh above = shifted(grid(9, 9), {-0.5, -0.5, gap});
-
-	Laid alone(fine, coarse);
-	alone.fit(0);
-	double highest = 0;
-	for (int v = 0; v < alone.result.mesh.vertexNum; ++v)
-		highest = std::max(highest, alone.at(v).z);
-	ASSERT_GT(highest, 1.2 * gap);
-
-	for (const int rounds : {0, 4}) {
-		Laid both(joined(fine, lid), joined(coarse, above));
-		ASSERT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
-		both.fit(0, rounds);
-		EXPECT_TRUE(findTouchingPairs(both.result.mesh, both.workers).empty());
-		EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
 	}
 }
 

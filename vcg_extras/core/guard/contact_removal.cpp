@@ -266,10 +266,10 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 
 } // namespace
 
-ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& contacts,
-							  ResultMesh& result, GuardedFigures& figures, Workers& workers)
+ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result,
+							  GuardedFigures& figures, Workers& workers)
 {
-	const std::vector<FacePair> pairs = contacts.find(result.mesh, workers);
+	const std::vector<FacePair> pairs = findTouchingPairs(result.mesh, workers);
 	ContactOutcome              outcome{result.mesh.vertexNum};
 	figures.isTested     = true;
 	figures.foundPairNum = figures.pairNum = std::int64_t(pairs.size());
@@ -286,7 +286,7 @@ ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& con
 		figures.vertexNum +=
 			result.vertex[v].isMade ? result.mesh.multiplicity(result.mesh.position[v]) : 0;
 	outcome.hasMade = figures.vertexNum > 0;
-	figures.pairNum = std::int64_t(contacts.find(result.mesh, workers).size());
+	figures.pairNum = std::int64_t(findTouchingPairs(result.mesh, workers).size());
 	return outcome;
 }
 

@@ -25,16 +25,16 @@ struct ContactOutcome {
 	bool isCapped  = false; ///< patches were left out, since the work would be too much
 };
 
-/// Finds self-intersections of the finished result, exactly, touching faces included; known
-/// contacts are not searched again. Away from self-intersections of the input, patches around the
-/// contacts are made anew by guarded collapses of the input (patch_filling.h), with as many
-/// vertices as before. If contacts are left, whole components with contacts are made anew in the
-/// same way. If the collapses end above the number of vertices, the new components are taken if
-/// making.mayEndAbove. Else the result is refused or, if the input intersects itself, stays
-/// unchanged. figures: count over all calls. Cost: a pass over the result's faces if there are no
-/// contacts; else the collapses, and a pass over the input's faces.
-ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& contacts,
-							  ResultMesh& result, GuardedFigures& figures, Workers& workers);
+/// Finds self-intersections of the finished result, exactly, touching faces included. Away from
+/// self-intersections of the input, flips and moves remove the contacts of small patches
+/// (patch_changes.h); other patches are made anew by guarded collapses of the input
+/// (patch_filling.h), with as many vertices as before. If contacts are left, whole components with
+/// contacts are made anew in the same way. If the collapses end above the number of vertices, the
+/// new components are taken if making.mayEndAbove. Else the result is refused or, if the input
+/// intersects itself, stays unchanged. figures: count over all calls. Cost: a pass over the
+/// result's faces if there are no contacts; else the collapses, and a pass over the input's faces.
+ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result,
+							  GuardedFigures& figures, Workers& workers);
 
 } // namespace gpr
 

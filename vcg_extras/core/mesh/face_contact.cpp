@@ -243,7 +243,7 @@ bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 	return touch(s, t);
 }
 
-/// The wanted faces (see findAmong) that reach the mirror image.
+/// The wanted faces, or all if `wanted` is empty, that reach the mirror image.
 std::vector<int> facesAtMirror(const HalfEdgeMesh& m, const std::vector<char>& wanted,
 							   Workers& workers)
 {
@@ -292,12 +292,14 @@ bool touch(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces)
 	return doEdgeNeighboursTouch(cornersFrom(s, (apexOfS + 1) % 3), t.at[apexOfT]);
 }
 
-namespace {
-
-/// Finds contacts. wanted: per face, whether to search its pairs; empty: all faces.
-std::vector<FacePair> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wanted, Seams seams,
-								Workers& workers)
+std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
+										int firstFace)
 {
+	std::vector<char> wanted; // per face; empty: all
+	if (firstFace > 0) {
+		wanted.assign(std::size_t(m.faceNum), 0);
+		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
+	}
 	const FaceBoxes boxes(m, wanted, workers);
 	FlatStars       stars(m);
 	if (wanted.empty()) stars.findAll(workers);
@@ -309,19 +311,6 @@ std::vector<FacePair> findAmong(const HalfEdgeMesh& m, const std::vector<char>& 
 		found.emplace_back(f, f);
 	std::sort(found.begin(), found.end());
 	return found;
-}
-
-} // namespace
-
-std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
-										int firstFace)
-{
-	std::vector<char> wanted;
-	if (firstFace > 0) {
-		wanted.assign(std::size_t(m.faceNum), 0);
-		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
-	}
-	return findAmong(m, wanted, seams, workers);
 }
 
 std::vector<int> facesOf(const std::vector<FacePair>& pairs)
@@ -367,48 +356,6 @@ int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 		}
 	}
 	return num;
-}
-
-const std::vector<FacePair>& KnownContacts::find(const HalfEdgeMesh& m, Workers& workers)
-{
-	std::vector<char> changed(std::size_t(m.faceNum));
-	workers.forEach(changed.size(), [&](int f) { changed[f] = hasChanged(m, f); });
-	const auto isOld = [&](const FacePair& pair) {
-		return pair.second >= m.faceNum || changed[pair.first] || changed[pair.second];
-	};
-	pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), isOld), pairs_.end());
-	const auto changedNum = std::count(changed.begin(), changed.end(), char(1));
-	if (changedNum == 0 && origin_.size() == std::size_t(m.halfEdgeNum())) return pairs_;
-	// A whole search is faster than many single searches.
-	constexpr std::ptrdiff_t many = 8;
-	if (changedNum > std::ptrdiff_t(changed.size()) / many) {
-		pairs_.clear();
-		changed.clear();
-	}
-	const std::vector<FacePair> found = findAmong(m, changed, Seams::Joined, workers);
-	pairs_.insert(pairs_.end(), found.begin(), found.end());
-	std::sort(pairs_.begin(), pairs_.end());
-	keep(m, workers);
-	return pairs_;
-}
-
-bool KnownContacts::hasChanged(const HalfEdgeMesh& m, int face) const
-{
-	if (std::size_t(3) * face + 3 > origin_.size()) return true;
-	for (int h = 3 * face; h < 3 * face + 3; ++h) {
-		const int v = m.origin[h];
-		if (v != origin_[h]) return true;
-		if (v >= 0 && !(m.position[v] == position_[v])) return true;
-	}
-	return false;
-}
-
-void KnownContacts::keep(const HalfEdgeMesh& m, Workers& workers)
-{
-	position_.reset(std::size_t(m.vertexNum));
-	origin_.reset(std::size_t(m.halfEdgeNum()));
-	workers.forEach(position_.size(), [&](int v) { position_[v] = m.position[v]; });
-	workers.forEach(origin_.size(), [&](int h) { origin_[h] = m.origin[h]; });
 }
 
 } // namespace gpr

@@ -61,23 +61,6 @@ std::vector<int> facesOf(const std::vector<FacePair>& pairs);
 int countTouchingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
 					   const std::vector<int>& near, std::int64_t* work = nullptr);
 
-/// The contacts of a changing mesh. A new search compares only faces that have changed since the
-/// last search. Stores the searched faces, so that the caller need not report changes.
-class KnownContacts {
-public:
-	/// Returns findTouchingPairs(mesh, workers). Cost: a pass over the mesh, and a search for the
-	/// changed faces.
-	const std::vector<FacePair>& find(const HalfEdgeMesh& mesh, Workers& workers);
-
-private:
-	Buffer<Vec3f>         position_; ///< of the mesh at the last search
-	Buffer<int>           origin_;
-	std::vector<FacePair> pairs_;
-
-	bool hasChanged(const HalfEdgeMesh& mesh, int face) const;
-	void keep(const HalfEdgeMesh& mesh, Workers& workers);
-};
-
 } // namespace gpr
 
 #endif

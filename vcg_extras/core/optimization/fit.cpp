@@ -198,7 +198,6 @@ public:
 		outcome.capped = !fitSoundly(outcome.map);
 		if (settings_.worstRounds > 0 && outcome.map != nullptr && !lowerWorst(outcome))
 			outcome.capped = true;
-		outcome.contacts = std::move(contacts_);
 		return outcome;
 	}
 
@@ -211,7 +210,6 @@ private:
 	Workers&              workers_;
 	Acceptance            limits_;
 	Buffer<char>          isFree_; ///< vertices that may leave the surface
-	KnownContacts         contacts_;
 
 	/// False if the moves of a round, or of all rounds, were taken back.
 	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
@@ -255,8 +253,8 @@ private:
 		return allKept;
 	}
 
-	/// Lowers the largest distances. False if all moves were taken back, because contacts did not
-	/// end.
+	/// Lowers the largest distances. False if all moves were taken back, because inverted
+	/// faces were left.
 	bool lowerWorst(FitOutcome& outcome)
 	{
 		MoveGuard moves(limits_, shorteningOfFit, m_, workers_);
@@ -274,17 +272,15 @@ private:
 		return !hasMoved || takeBackOffenders(moves);
 	}
 
-	/// Takes back the moves of faces that touch other faces or are inverted at the present records.
-	/// False if this did not end and all moves were taken back.
+	/// Takes back the moves of faces that are inverted at the present records. False if this did
+	/// not end and all moves were taken back.
 	bool takeBackOffenders(MoveGuard& moves)
 	{
 		for (int i = 0; i < maxTakeBacks; ++i) {
-			const Buffer<Vec3f>    normal   = smoothNormals(surface_, r_, workers_);
-			const std::vector<int> touching = facesThatTouch();
-			const auto looksAgainst = [&](int f) { return normalAgreement(m_, normal, f) < 0; };
-			std::vector<int> faces  = workers_.collectIf(m_.faceNum, looksAgainst);
-			faces.insert(faces.end(), touching.begin(), touching.end());
-			const auto stands = [&](int f) { return !moves.hasMoved(f); };
+			const Buffer<Vec3f> normal = smoothNormals(surface_, r_, workers_);
+			const auto looksAgainst    = [&](int f) { return normalAgreement(m_, normal, f) < 0; };
+			std::vector<int> faces     = workers_.collectIf(m_.faceNum, looksAgainst);
+			const auto       stands    = [&](int f) { return !moves.hasMoved(f); };
 			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
 			if (faces.empty()) return true;
 			moves.takeBack(faces, normal);
@@ -293,15 +289,6 @@ private:
 		moves.takeAllBack();
 		followOnSurface();
 		return false;
-	}
-
-	std::vector<int> facesThatTouch()
-	{
-		std::vector<int> faces;
-		for (const FacePair& pair : contacts_.find(m_, workers_))
-			faces.insert(faces.end(), {pair.first, pair.second});
-		sortUnique(faces);
-		return faces;
 	}
 
 	/// Moves the records after the vertices, on the surface.

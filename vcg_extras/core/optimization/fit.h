@@ -8,7 +8,6 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
@@ -26,8 +25,7 @@ struct FitSettings {
 };
 
 struct FitOutcome {
-	std::unique_ptr<ClosestFaceMap> map;      ///< of the last round; null without rounds
-	KnownContacts                   contacts; ///< of the mesh at the end
+	std::unique_ptr<ClosestFaceMap> map; ///< of the last round; null without rounds
 	float largestGap = 0;     ///< between result and input after worstRounds, working units
 	bool  capped     = false; ///< a guard gave up and took back the moves of a round
 };
@@ -48,9 +46,9 @@ struct FitOutcome {
 /// A round updates the map, assembles the first term as a matrix per vertex and edge, whose size
 /// does not depend on the input, descends by Jacobi steps with momentum, shortens the moves of
 /// faces that turn, look away from the surface or get poor angles, and lets the surface points
-/// follow on the surface. At the end, faces that touch other faces return to their places before
-/// the first round. Vertices of borders and curves are fitted to their curves first (curve_fit.h)
-/// and stay there.
+/// follow on the surface. At the end, inverted faces return to their places before the first round.
+/// Vertices of borders and curves are fitted to their curves first (curve_fit.h) and stay there.
+/// Faces may touch others afterwards: see guard/contact_removal.h.
 ///
 /// Without rounds, each vertex is raised by a third of its height over the mean of its neighbours:
 /// the volume stays, and the distance (RMS) is 14 to 38 % smaller on seven models, for the cost of

@@ -9,7 +9,6 @@
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/octree_blocks.h>
 #include <vcg_extras/core/output/verification.h>
 #include <vcg_extras/core/report.h>
@@ -97,7 +96,6 @@ struct Products {
 	BoundaryCurves                curves;  ///< Triangles: the curves with vertices
 	ResultMesh                    result;  ///< Triangles to Contacts
 	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit, if feature lines may be released
-	KnownContacts                 contacts;  ///< Fit
 
 	// Figures of the later steps.
 	std::int64_t   releasedNum = 0;         ///< vertices released from crowded lines

@@ -155,7 +155,6 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
-	made.contacts = std::move(outcome.contacts);
 	return {std::move(outcome.map), outcome.largestGap};
 }
 
@@ -169,7 +168,6 @@ float maxGapAfter(const Products& made, float largestGap)
 
 void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.contacts = KnownContacts();
 	Fitted fitted = fit(run, decisions, made);
 	if (run.options.preset != Preset::Default) return;
 	run.clock.enter(Stage::Angles);
@@ -232,14 +230,12 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	KnownContacts contacts  = std::move(made.contacts);
-	ResultMesh    withLines = std::move(made.result);
-	made.result             = copyResult(*made.beforeFit, run.workers);
-	made.releasedNum        = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	ResultMesh withLines = std::move(made.result);
+	made.result          = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum     = releaseLines(minAngleDeg(run.options), made.result, run.workers);
 	fitAndRepair(run, decisions, made);
 	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
 		made.releasedNum = 0;
-		made.contacts    = std::move(contacts);
 		made.result      = std::move(withLines);
 	}
 	else {
@@ -276,14 +272,12 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	run.clock.enter(Stage::Contacts);
 	const MakingOfVertices making{made.surface,          made.curves,        made.sizes.kept,
 								  isFitted(run.options), *run.options.adapt, decisions.mayEndAbove};
-	ContactOutcome         outcome =
-		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
+	ContactOutcome         outcome = removeContacts(making, made.result, made.guarded, run.workers);
 	for (int round = 0; round < countRounds && missesCount(decisions, made.result, outcome);
 		 ++round) {
 		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
 						run.workers);
-		made.contacts = KnownContacts();
-		outcome = removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
+		outcome = removeContacts(making, made.result, made.guarded, run.workers);
 	}
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
