@@ -112,7 +112,7 @@ std::vector<Band> bands()
 		{"LauranaTo10",       laurana, "even",     percent(10),       .981,  .935,  31,   90,   0,     any,  .06,    any,  any,  .105,  any,  None},
 		{"TerrainTo10",       terrain, "even",     percent(10),       .993,  .966,  31,   94,   0,     any,  .0029,  any,  any,  .15,   any,  None},
 		// Its feet are thinner than an edge.
-		{"IguanaTo10",        iguana, "even",      percent(10),       .977,  any,   9,    89,   .02,   any,  .023,   any,  any,  any,   any,  None},
+		{"IguanaTo10",        iguana, "even",      percent(10),       .977,  any,   8,    89,   .02,   any,  .023,   any,  any,  any,   any,  None},
 		// The crowded lines of this model are released; crease edges may be rounded there.
 		{"CastingTo50",       casting, "even",     percent(50),       .952,  any,   30,   79,   0,     any,  .105,   any,  any,  any,   .36,  None},
 		// With every second seed, one or two of the thousand triangles stay poor; with some seeds,

@@ -5,6 +5,7 @@
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/edit/claims.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
@@ -60,6 +61,17 @@ TEST(Claims, AreFourRingsThatDoNotMeet)
 	EXPECT_GT(claimed.size(), 10u);
 	claims.clear();
 	EXPECT_GT(claims.claim(m, 0), 0) << "given back";
+}
+
+/// Walks round a vertex with very many neighbours would cost the whole mesh for each face.
+TEST(Claims, TakeEverythingRoundAHub)
+{
+	const HalfEdgeMesh m = halfEdgesOf(joined(lattice(20, 20), cone(5000, 1, 1, 1)));
+	Claims             claims(m.vertexNum);
+	EXPECT_GT(claims.claim(m, 0), 0);
+	EXPECT_EQ(claims.claim(m, m.faceNum - 1), Claims::everything);
+	EXPECT_TRUE(claims.allow(Claims::everything, {0, 1, 2}));
+	EXPECT_GT(claims.claim(m, m.faceNum / 30), 0) << "leaves no mark";
 }
 
 } // namespace gpr::test

@@ -219,7 +219,7 @@ TEST(PatchRefill, SplitsAnInputThatIsCoarse)
 	RefilledMesh      made;
 	ASSERT_TRUE(coarse.refill(marked, made));
 	expectWhole(coarse, marked, made);
-	EXPECT_GT(made.guarded->mesh.vertexNum, coarse.result().mesh.vertexNum + 20);
+	EXPECT_GT(made.guarded->mesh.vertexNum, coarse.result().mesh.vertexNum + 5);
 }
 
 TEST(PatchRefill, FixesTheVerticesToBeKept)

@@ -11,6 +11,8 @@ namespace {
 
 /// Rings of vertices round a face with the same owner, and how many of these may change.
 constexpr int ringNum = 4, changingRings = 2;
+/// Rings with more vertices are not worth their own walk: their face is tried alone.
+constexpr std::size_t mostVertices = 500;
 
 } // namespace
 
@@ -19,6 +21,7 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 	reached_.clear();
 	++visit_;
 	bool       isTaken = false;
+	const auto isWide  = [&] { return reached_.size() > mostVertices; };
 	const auto reach   = [&](int v) {
         if (visitOf_[std::size_t(v)] == visit_) return;
         visitOf_[std::size_t(v)] = visit_;
@@ -28,12 +31,13 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 	for (int h = 3 * face; h < 3 * face + 3; ++h)
 		reach(m.origin[h]);
 	std::size_t begin = 0, changingNum = 0;
-	for (int ring = 0; ring < ringNum && !isTaken; ++ring) {
+	for (int ring = 0; ring < ringNum && !isTaken && !isWide(); ++ring) {
 		const std::size_t end = reached_.size();
 		if (ring == changingRings) changingNum = end;
-		for (; begin < end && !isTaken; ++begin)
+		for (; begin < end && !isTaken && !isWide(); ++begin)
 			forEachNeighbour(m, reached_[begin], reach);
 	}
+	if (isWide()) return everything;
 	if (isTaken) return 0;
 	const int name = next_++;
 	for (std::size_t i = 0; i < reached_.size(); ++i)
@@ -43,8 +47,9 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 
 bool Claims::allow(int claim, const std::vector<int>& patch) const
 {
-	return std::all_of(patch.begin(), patch.end(),
-					   [&](int v) { return owner_[std::size_t(v)] == claim; });
+	return claim == everything || std::all_of(patch.begin(), patch.end(), [&](int v) {
+			   return owner_[std::size_t(v)] == claim;
+		   });
 }
 
 } // namespace gpr

@@ -138,13 +138,16 @@ LocalSearch::Batch LocalSearch::takeSome(std::deque<int>& waiting)
 		const int f = waiting.front();
 		waiting.pop_front();
 		if (!mayImprove(f)) continue;
-		const int claim = takesOne ? 1 : claims_->claim(m_, f);
-		if (claim == 0) {
+		const int  claim   = takesOne ? 1 : claims_->claim(m_, f);
+		const bool isAlone = claim == Claims::everything;
+		if (claim == 0 || (isAlone && !batch.face.empty())) {
 			later.push_back(f);
-			continue;
 		}
-		batch.face.push_back(f);
-		batch.claim.push_back(claim);
+		else {
+			batch.face.push_back(f);
+			batch.claim.push_back(claim);
+		}
+		if (isAlone) break;
 	}
 	waiting.insert(waiting.begin(), later.begin(), later.end());
 	return batch;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t mostVertices = 200'000, mostPerVertex = 500;
 /// Longest edges of the input near patches, as shares of the result's longest edge there: at the
 /// border of a patch, for edges that follow the result's triangles, and inside.
-constexpr float longestAtBorder = 0.3f, longestInside = 0.6f;
+constexpr float longestAtBorder = 0.4f, longestInside = 0.6f;
 /// Search distance beyond a patch, in edges of the result.
 constexpr float reachBeyond = 1.5f;
 /// Factor on the search distance inside: there the input may be farther from vertices of the

@@ -29,7 +29,7 @@ float longestEdgeAt(const HalfEdgeMesh& mesh, int v);
 bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v);
 
 /// Collects the faces of the working surface with all corners nearest, along edges, to vertices of
-/// the result that are not PatchRole::Far. Splits edges longer than 0.3 of the result's longest
+/// the result that are not PatchRole::Far. Splits edges longer than 0.4 of the result's longest
 /// edge there (deep inside patches 0.6), so that edges can follow the result's triangles. The label
 /// of a vertex is the corner with the largest weight at the nearest point of the result; deep
 /// inside patches the nearest vertex along edges. reach: factor on the search distance from

@@ -25,7 +25,7 @@ constexpr int maxRounds = 24;
 /// Largest reach; then patches grow instead.
 constexpr float mostReach = 8;
 /// Rings of vertices of the result beyond a patch with cells.
-constexpr int ringsBeyond = 4;
+constexpr int ringsBeyond = 3;
 /// Largest distance of a vertex merged into a border vertex, in edges of the result there.
 constexpr float farthestDrawn = 1;
 
