@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -387,11 +388,12 @@ TEST(PatchInput, HasShortEdges)
 	const ResultMesh&            result = coarse.result();
 	const std::vector<PatchRole> role   = rolesRound(result.mesh, 5);
 	const PatchInput local = collectPatchInput(coarse.surface(), result, role, 1, coarse.workers);
-	const auto       isInside = [&](int v) {
-        return isDeep(result.mesh, role, local.label[std::size_t(v)]);
+	const std::vector<char> isDeep   = deepVertices(result.mesh, role);
+	const auto              isInside = [&](int v) {
+        return isDeep[std::size_t(local.byEdges[std::size_t(v)])] != 0;
 	};
 	const auto longest = [&](int v) {
-		return longestEdgeAt(result.mesh, local.label[std::size_t(v)]);
+		return longestEdgeAt(result.mesh, local.byEdges[std::size_t(v)]);
 	};
 	int num = 0;
 	for (int h = 0; h < local.mesh.halfEdgeNum(); ++h) {
@@ -402,6 +404,36 @@ TEST(PatchInput, HasShortEdges)
 				  0.6f * std::max(longest(a), longest(b)));
 	}
 	EXPECT_GT(num, 10);
+}
+
+/// A patch that grows finds the labels that a collection round the grown patch has.
+TEST(PatchInput, HasTheLabelsOfAGrownPatch)
+{
+	Random                       random(13);
+	CoarseResult                 coarse(icosphere(5), 0.06f, random);
+	const HalfEdgeMesh&          m     = coarse.result().mesh;
+	const std::vector<PatchRole> role  = rolesRound(m, 5);
+	std::vector<PatchRole>       grown = role;
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (role[std::size_t(v)] != PatchRole::Border) continue;
+		grown[std::size_t(v)] = PatchRole::Inside;
+		forEachNeighbour(m, v, [&](int w) {
+			if (role[std::size_t(w)] == PatchRole::Near) grown[std::size_t(w)] = PatchRole::Border;
+		});
+	}
+	const auto labelsOf = [&](const std::vector<PatchRole>& collected) {
+		const PatchInput local =
+			collectPatchInput(coarse.surface(), coarse.result(), collected, 1, coarse.workers);
+		const std::vector<int> label = local.labels(m, grown);
+		std::map<int, int>     ofInput;
+		for (int v = 0; v < local.ownNum; ++v) {
+			if (grown[std::size_t(label[std::size_t(v)])] != PatchRole::Near)
+				ofInput[local.inputVertex[std::size_t(v)]] = label[std::size_t(v)];
+		}
+		return ofInput;
+	};
+	EXPECT_GT(labelsOf(grown).size(), 20u);
+	EXPECT_EQ(labelsOf(role), labelsOf(grown));
 }
 
 TEST(PatchInput, KnowsTheInputsBorderFromWhereItWasCut)

@@ -100,7 +100,7 @@ public:
 		std::sort(local_.inputVertex.begin(), local_.inputVertex.end());
 		local_.ownNum = int(local_.inputVertex.size());
 		for (int v : local_.inputVertex)
-			local_.label.push_back(cells.labelOf(v));
+			local_.byEdges.push_back(cells.labelOf(v));
 	}
 
 	PatchInput run(Workers& workers)
@@ -163,8 +163,9 @@ public:
 			local_(local),
 			m_(local.mesh)
 	{
-		for (int label : local.label)
-			limit_.push_back((isDeep(result, role, label) ? longestInside : longestAtBorder) *
+		const std::vector<char> isDeep = deepVertices(result, role);
+		for (int label : local.byEdges)
+			limit_.push_back((isDeep[std::size_t(label)] ? longestInside : longestAtBorder) *
 							 longestEdgeAt(result, label));
 	}
 
@@ -218,7 +219,7 @@ private:
 			splitEdge(m_, h, v);
 		}
 		local_.inputVertex.push_back(local_.inputVertex[a]);
-		local_.label.push_back(local_.label[a]);
+		local_.byEdges.push_back(local_.byEdges[a]);
 		limit_.push_back(0.5f * (limit_[a] + limit_[b]));
 	}
 };
@@ -235,22 +236,19 @@ int labelAt(const HalfEdgeMesh& result, int near, const Vec3f& p, const Vec3f& n
 	return corner[std::max_element(weight.begin(), weight.end()) - weight.begin()];
 }
 
-void findLabels(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, PatchInput& local,
-				Workers& workers)
+void findNearest(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, PatchInput& local,
+				 Workers& workers)
 {
 	const HalfEdgeMesh& m = local.mesh;
 	std::vector<Vec3f>  normal(std::size_t(m.vertexNum));
 	for (int h = 0; h < m.halfEdgeNum(); ++h)
 		normal[std::size_t(m.origin[h])] += m.faceCross(h / 3);
+	const std::vector<char> isDeep = deepVertices(result, role);
+	local.byPlace                  = local.byEdges;
 	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
-		int& label = local.label[std::size_t(v)];
-		if (isDeep(result, role, label)) return;
-		const int better = labelAt(result, label, m.position[v], normal[std::size_t(v)]);
-		// A search that begins beyond the border of a patch and ends inside has come to another
-		// sheet.
-		const bool hasLeft = role[std::size_t(label)] == PatchRole::Near &&
-							 role[std::size_t(better)] == PatchRole::Inside;
-		if (!hasLeft) label = better;
+		int& nearest = local.byPlace[std::size_t(v)];
+		if (isDeep[std::size_t(nearest)]) return; // patches only grow
+		nearest = labelAt(result, nearest, m.position[v], normal[std::size_t(v)]);
 	});
 }
 
@@ -271,12 +269,33 @@ float longestEdgeAt(const HalfEdgeMesh& m, int v)
 	return std::sqrt(squared);
 }
 
-bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v)
+std::vector<char> deepVertices(const HalfEdgeMesh& result, const std::vector<PatchRole>& role)
 {
-	bool isDeep = role[std::size_t(v)] == PatchRole::Inside;
-	forEachNeighbour(result, v,
-					 [&](int w) { isDeep = isDeep && role[std::size_t(w)] == PatchRole::Inside; });
+	const auto        isInside = [&](int v) { return role[std::size_t(v)] == PatchRole::Inside; };
+	std::vector<char> isDeep(role.size());
+	for (int v = 0; v < result.vertexNum; ++v) {
+		isDeep[std::size_t(v)] = isInside(v);
+		forEachNeighbour(result, v, [&](int w) {
+			isDeep[std::size_t(v)] = isDeep[std::size_t(v)] && isInside(w);
+		});
+	}
 	return isDeep;
+}
+
+std::vector<int> PatchInput::labels(const HalfEdgeMesh&           result,
+									const std::vector<PatchRole>& role) const
+{
+	const std::vector<char> isDeep = deepVertices(result, role);
+	std::vector<int>        label  = byEdges;
+	for (std::size_t v = 0; v < label.size(); ++v) {
+		const PatchRole here = role[std::size_t(label[v])], there = role[std::size_t(byPlace[v])];
+		// A search that begins beyond the border of a patch and ends inside has come to another
+		// sheet.
+		const bool isBeyond = here == PatchRole::Near || here == PatchRole::Far;
+		const bool hasLeft  = isBeyond && there == PatchRole::Inside;
+		if (!isDeep[std::size_t(label[v])] && !hasLeft) label[v] = byPlace[v];
+	}
+	return label;
 }
 
 PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
@@ -288,7 +307,7 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 	PatchSubdivision(result.mesh, role, local).run(most, workers);
 	local.share     = double(local.mesh.vertexNum) / double(most);
 	local.isTooMuch = local.share > 1;
-	if (!local.isTooMuch) findLabels(result.mesh, role, local, workers);
+	if (!local.isTooMuch) findNearest(result.mesh, role, local, workers);
 	return local;
 }
 

@@ -20,19 +20,21 @@ namespace {
 
 /// Most work of all rounds together, as a multiple of the most work of a round.
 constexpr double mostWork = 2;
+/// Work of a round on surface collected before, as a share of the work of collecting.
+constexpr double shareOfRound = 0.3;
 /// Marks that have not settled after this many rounds do not settle.
 constexpr int maxRounds = 24;
 /// Largest reach; then patches grow instead.
 constexpr float mostReach = 8;
-/// Rings of vertices of the result beyond a patch with cells.
-constexpr int ringsBeyond = 3;
+/// Rings of vertices of the result beyond a patch with cells, and more rings to grow into.
+constexpr int ringsBeyond = 3, ringsToGrow = 3;
 /// Largest distance of a vertex merged into a border vertex, in edges of the result there.
 constexpr float farthestDrawn = 1;
 
 using Role = PatchRole;
 
-/// Roles of the vertices of the result.
-std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& marked)
+/// Roles of the vertices of the result, with `rings` rings near the marks.
+std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& marked, int rings)
 {
 	std::vector<Role> role(std::size_t(m.vertexNum), Role::Far);
 	for (int v = 0; v < m.vertexNum; ++v) {
@@ -44,7 +46,7 @@ std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& mark
 		if (inside == 0) continue;
 		role[std::size_t(v)] = inside == faces ? Role::Inside : Role::Border;
 	}
-	for (int ring = 0; ring < ringsBeyond; ++ring) {
+	for (int ring = 0; ring < rings; ++ring) {
 		const std::vector<Role> before = role;
 		for (int v = 0; v < m.vertexNum; ++v) {
 			if (before[std::size_t(v)] == Role::Far) continue;
@@ -62,21 +64,21 @@ using Triangle = std::array<int, 3>;
 /// Combines the rest of the result and the triangles of the working surface.
 class Refill {
 public:
+	/// local: holds the surface near the marks.
 	Refill(const Surface& surface, const ResultMesh& result, const std::vector<char>& marked,
-		   Workers& workers) :
+		   const PatchInput& local, std::vector<Role> role, Workers& workers) :
 			surface_(surface),
-			result_(result), marked_(marked), workers_(workers),
-			role_(findRoles(result.mesh, marked))
+			result_(result), marked_(marked), local_(local), workers_(workers),
+			role_(std::move(role))
 	{
 	}
 
-	/// reach: see collectPatchInput. False if the triangles do not fit; culprits() are then
-	/// vertices of the result near the misfits.
-	bool run(float reach)
+	/// False if the triangles do not fit; culprits() are then vertices of the result near the
+	/// misfits.
+	bool run()
 	{
-		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
-		if (local_.isTooMuch) return false;
-		cleanLabels(local_.mesh, role_, local_.label, workers_);
+		label_ = local_.labels(result_.mesh, role_);
+		cleanLabels(local_.mesh, role_, label_, workers_);
 		workers_.poll();
 		blameWideCells();
 		nameVertices();
@@ -92,7 +94,7 @@ public:
 	{
 		const HalfEdgeMesh& m = local_.mesh;
 		std::vector<int>    euler(role_.size(), 0);
-		const auto          label = [&](int v) { return local_.label[std::size_t(v)]; };
+		const auto          label = [&](int v) { return label_[std::size_t(v)]; };
 		for (int v = 0; v < m.vertexNum; ++v)
 			++euler[std::size_t(label(v))];
 		for (int h = 0; h < m.halfEdgeNum(); ++h) {
@@ -106,19 +108,7 @@ public:
 		}
 	}
 
-	bool                    isTooMuch() const { return local_.isTooMuch; }
-	double                  share() const { return local_.share; }
-	int                     inputNum() const { return local_.mesh.vertexNum; }
 	const std::vector<int>& culprits() const { return culprits_; }
-
-	/// Whether vertices would go at a place shared with other borders.
-	bool isShared() const
-	{
-		for (std::size_t v = 0; v < role_.size(); ++v) {
-			if (role_[v] == Role::Inside && result_.vertex[v].isShared) return true;
-		}
-		return false;
-	}
 
 	void take(const std::vector<int>& keptInput, bool hasContacts, RefilledMesh& to)
 	{
@@ -136,9 +126,10 @@ private:
 	const Surface&           surface_;
 	const ResultMesh&        result_;
 	const std::vector<char>& marked_;
+	const PatchInput&        local_;
 	Workers&                 workers_;
 	std::vector<Role>        role_;
-	PatchInput               local_;
+	std::vector<int>         label_;        ///< per vertex of the local input
 	std::vector<int>         nameOfResult_; ///< per vertex of the result: vertex of the new mesh,
 											///< or -1
 	std::vector<int> nameOfLocal_;          ///< per vertex of the local input: vertex of the new
@@ -159,7 +150,7 @@ private:
 						  std::max(result_.idealEdge, longestEdgeAt(result_.mesh, int(v)));
 		}
 		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
-			const int label = local_.label[std::size_t(v)];
+			const int label = label_[std::size_t(v)];
 			if (roleOf(label) != Role::Border) continue;
 			if (length(local_.mesh.position[v] - result_.mesh.position[label]) >
 				most[std::size_t(label)])
@@ -182,7 +173,7 @@ private:
 			labelOf_.push_back(v);
 		}
 		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
-			const int label = local_.label[std::size_t(v)];
+			const int label = label_[std::size_t(v)];
 			if (roleOf(label) != Role::Inside) {
 				nameOfLocal_[std::size_t(v)] = nameOfResult_[std::size_t(label)];
 				continue;
@@ -216,7 +207,7 @@ private:
 		for (int k = 0; k < 3; ++k) {
 			const int v       = corner[k];
 			t[std::size_t(k)] = nameOfLocal_[std::size_t(v)];
-			const Role role   = roleOf(local_.label[std::size_t(v)]);
+			const Role role   = roleOf(label_[std::size_t(v)]);
 			inside += role == Role::Inside;
 			border += role == Role::Border;
 		}
@@ -231,7 +222,7 @@ private:
 		if (inside == 0) return;
 		// The inside meets vertices beyond the border.
 		for (int k = 0; k < 3; ++k) {
-			const int label = local_.label[std::size_t(corner[k])];
+			const int label = label_[std::size_t(corner[k])];
 			if (roleOf(label) != Role::Inside && roleOf(label) != Role::Border)
 				culprits_.push_back(label);
 		}
@@ -240,7 +231,7 @@ private:
 	void blameAll(const int* corner)
 	{
 		for (int k = 0; k < 3; ++k)
-			culprits_.push_back(local_.label[std::size_t(corner[k])]);
+			culprits_.push_back(label_[std::size_t(corner[k])]);
 	}
 
 	/// Whether three fixed vertices lie on a line.
@@ -343,6 +334,59 @@ private:
 	}
 };
 
+/// Whether vertices would go at a place shared with other borders.
+bool isAnyShared(const ResultMesh& result, const std::vector<Role>& role)
+{
+	for (std::size_t v = 0; v < role.size(); ++v) {
+		if (role[v] == Role::Inside && result.vertex[v].isShared) return true;
+	}
+	return false;
+}
+
+/// The surface near a patch that grows, collected anew only when the patch leaves it.
+class GrowingInput {
+public:
+	GrowingInput(const Surface& surface, const ResultMesh& result, Workers& workers) :
+			surface_(surface), result_(result), workers_(workers)
+	{
+	}
+
+	const PatchInput& around(const std::vector<char>& marked, const std::vector<Role>& role,
+							 float reach)
+	{
+		const bool isNew = reach != reach_ || !covers(role);
+		if (isNew) {
+			reach_ = reach;
+			role_  = findRoles(result_.mesh, marked, ringsBeyond + ringsToGrow);
+			input_ = collectPatchInput(surface_, result_, role_, reach, workers_);
+		}
+		const double part = isNew ? 1 : shareOfRound;
+		share_ += part * input_.share;
+		looks_ += part * input_.mesh.vertexNum;
+		return input_;
+	}
+
+	bool   isTooMuch() const { return input_.isTooMuch || share_ > mostWork; }
+	double looks() const { return looks_; } ///< at vertices of the working surface
+
+private:
+	const Surface&    surface_;
+	const ResultMesh& result_;
+	Workers&          workers_;
+	PatchInput        input_;
+	std::vector<Role> role_; ///< with which the surface was collected
+	float             reach_ = 0;
+	double            share_ = 0, looks_ = 0;
+
+	bool covers(const std::vector<Role>& role) const
+	{
+		for (std::size_t v = 0; v < role.size(); ++v) {
+			if (role[v] != Role::Far && role_[v] == Role::Far) return false;
+		}
+		return true;
+	}
+};
+
 /// Marks the faces round some vertices and `rings` more rings of faces; further rings until another
 /// face is marked. False if there is no other face.
 bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int rings,
@@ -397,22 +441,23 @@ bool refillPatches(const Surface& surface, const ResultMesh& result,
 				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,
 				   RefilledMesh& refilled, const HasRoom& hasRoom)
 {
-	float  reach = 1;
-	double work  = 0;
+	float        reach = 1;
+	GrowingInput input(surface, result, workers);
 	for (int round = 0; round < maxRounds; ++round) {
 		workers.poll();
 		if (hasRoom && !hasRoom(marked)) return false;
-		Refill refill(surface, result, marked, workers);
-		if (refill.isShared()) return false;
-		const bool fits = refill.run(reach);
-		refilled.work += refill.inputNum();
+		std::vector<Role> role = findRoles(result.mesh, marked, ringsBeyond);
+		if (isAnyShared(result, role)) return false;
+		const PatchInput& local = input.around(marked, role, reach);
+		refilled.work           = input.looks();
+		if (input.isTooMuch()) return false;
+		Refill     refill(surface, result, marked, local, std::move(role), workers);
+		const bool fits = refill.run();
 		if (fits && figuresOf(refill.mesh(), 1, workers)
 						.hasTopologyOf(figuresOf(result.mesh, 1, workers))) {
 			refill.take(keptInput, !findTouchingPairs(refill.mesh(), workers).empty(), refilled);
 			return true;
 		}
-		work += refill.share();
-		if (refill.isTooMuch() || work > mostWork) return false;
 		if (fits) refill.blameCells();
 		// Inside of a patch the input may be farther from the result than the search distance.
 		const std::vector<int> outer = notInside(result.mesh, refill.culprits(), marked);
