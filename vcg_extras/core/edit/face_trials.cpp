@@ -62,7 +62,7 @@ void FaceTrials::improve(int f)
 {
 	for (int change = 0; change < maxChanges; ++change) {
 		if (isDeadFace(m_, f) || !goal_.isBad(f)) return;
-		if (room_.space != nullptr) lookForIntersections(f);
+		if (room_.space != nullptr) findNear(f);
 		--room_.attempts;
 		hasFailed_ = !(goal_.takesFirst ? takeEach(f) : takeBest(f));
 		if (hasFailed_ || isExhausted()) return;
@@ -168,7 +168,6 @@ FaceTrials::Before FaceTrials::lookAt(PatchEditor::Snapshot snapshot)
 	for (int v : before.snapshot.backup.vertices())
 		before.meanEdge = std::max(before.meanEdge, editor_.meanEdge(v));
 	if (limitsGaps()) before.seeds = seedsOf(before.faces());
-	if (intersectsHere_) before.intersections = intersectionNum(before.faces());
 	room_.work -= workOfPatchFace * std::int64_t(before.faces().size());
 	return before;
 }
@@ -179,8 +178,11 @@ float FaceTrials::attempt(const Operation& op, Before before, float known)
 {
 	float gain = make(op) ? gainOver(before) : 0;
 	if (gain > known && !keepsLimits(before)) gain = 0;
+	const bool isLimited = goal_.limits.contacts && gain > known;
+	const int  contacts  = isLimited ? contactNum(facesNow(before)) : 0;
 	editor_.undo(before.snapshot);
-	return gain;
+	// Nearly all changes leave no contacts, so those before are only counted if some are left.
+	return contacts > 0 && contacts > contactNum(before.faces()) ? 0 : gain;
 }
 
 std::vector<int> FaceTrials::facesNow(const Before& before) const
@@ -203,8 +205,7 @@ bool FaceTrials::keepsLimits(Before& before)
 	if (before.distance == nullptr)
 		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
-	if (limitsGaps() && !keepsGap(before, faces)) return false;
-	return !goal_.limits.contacts || intersectionNum(faces) <= before.intersections;
+	return !limitsGaps() || keepsGap(before, faces);
 }
 
 /// Null if distances are not limited.
@@ -265,7 +266,7 @@ float FaceTrials::costOf(const std::vector<int>& faces)
 	float cost = 0;
 	for (int f : faces)
 		cost += goal_.faceCost(f);
-	if (goal_.contactCost > 0) cost += goal_.contactCost * float(intersectionNum(faces));
+	if (goal_.contactCost > 0) cost += goal_.contactCost * float(contactNum(faces));
 	return cost;
 }
 
@@ -294,19 +295,12 @@ bool FaceTrials::keepsWorst(const std::vector<int>& faces, const Worst& before)
 		   now.angle >= std::min(limits.angle, before.angle);
 }
 
-int FaceTrials::intersectionNum(const std::vector<int>& faces)
+int FaceTrials::contactNum(const std::vector<int>& faces)
 {
 	std::int64_t pairs = 0;
 	const int    num   = countTouchingPairs(m_, faces, near_, &pairs);
 	room_.work -= workOfPair * pairs + std::int64_t(near_.size());
 	return num;
-}
-
-void FaceTrials::lookForIntersections(int f)
-{
-	findNear(f);
-	intersectsHere_ =
-		goal_.limits.contacts && intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
 }
 
 /// Finds the faces that a patch round f may intersect.

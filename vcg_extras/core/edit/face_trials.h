@@ -91,8 +91,7 @@ private:
 		float                           cost     = 0;
 		float                           meanEdge = 0;
 		std::vector<std::array<int, 3>> seeds; ///< if gaps are limited: faces of the surface
-		int  intersections = 0;                ///< pairs, if there are any near the patch
-		bool keepsFaces    = false;            ///< the trial keeps the numbers of faces
+		bool keepsFaces = false;               ///< the trial keeps the numbers of faces
 		/// Measured on first use.
 		std::unique_ptr<PatchDistance> distance;
 
@@ -104,8 +103,7 @@ private:
 	PatchEditor&        editor_;
 	const HalfEdgeMesh& m_;
 	const Goal&         goal_;
-	std::vector<int>    near_;                   ///< faces within reach of the patch
-	bool                intersectsHere_ = false; ///< near the face at hand
+	std::vector<int>    near_; ///< faces within reach of the patch
 	std::vector<Kept>   kept_;
 	bool                hasFailed_ = false;
 
@@ -144,10 +142,9 @@ private:
 	bool moveToBest(int v);
 	bool stepFrom(int v, float reach, float& cost);
 
-	/// The number of intersecting pairs with a face of `faces` (ascending) and a face of near_.
-	int              intersectionNum(const std::vector<int>& faces);
+	/// The number of touching pairs with a face of `faces` (ascending) and a face of near_.
+	int              contactNum(const std::vector<int>& faces);
 	void             findNear(int f);
-	void             lookForIntersections(int f);
 	std::vector<int> ringsRound(int f, int ringNum);
 };
 

@@ -31,7 +31,7 @@ struct Goal {
 	std::vector<float>           stepLengths; ///< of moves, in mean edges
 	bool       settles    = true;  ///< the mesh round a change settles by moves and flips
 	bool       takesFirst = false; ///< every helpful operation is kept, not only the best
-	bool       inPairs    = false; ///< two operations in a row
+	bool       inPairs    = false; ///< two operations in a row; not with a limit on contacts
 	bool       mayCrowd   = false; ///< vertices of curves may crowd
 	Acceptance limits;
 	Budget     budget;

@@ -40,10 +40,10 @@ bool LocalSearch::run(const Goal& goal)
 	attempts_ = goal.budget.attempts;
 	failed_   = FailedAttempts(m_.vertexNum + spare_);
 
-	if (looksForContacts() && space_ == nullptr)
-		space_.reset(new FacesInSpace(m_, m_.faceNum + 2 * spare_, workers_));
+	if (goal.contactCost > 0) takeSpace();
 	std::vector<int> bad = findBad(goal);
-	if (isExhausted()) return bad.empty();
+	if (bad.empty() || isExhausted()) return bad.empty();
+	if (looksForContacts()) takeSpace();
 	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
 		touched_.clear();
 		improveAll(worstFirst(bad));
@@ -96,6 +96,11 @@ std::vector<int> LocalSearch::stillBad(const std::vector<int>& faces) const
 bool LocalSearch::looksForContacts() const
 {
 	return goal_->limits.contacts || goal_->contactCost > 0;
+}
+
+void LocalSearch::takeSpace()
+{
+	if (space_ == nullptr) space_.reset(new FacesInSpace(m_, m_.faceNum + 2 * spare_, workers_));
 }
 
 bool LocalSearch::hasContact(int f) const

@@ -60,6 +60,7 @@ private:
 	std::vector<int> stillBad(const std::vector<int>& faces) const;
 	bool             isExhausted() const;
 	bool             looksForContacts() const;
+	void             takeSpace();
 	bool             takesSeveral() const;
 	bool             mayImprove(int f) const;
 	void             improveAll(const std::vector<int>& faces);

@@ -20,18 +20,17 @@ namespace {
 constexpr int roundNum = 4;
 /// Most tries of a patch.
 constexpr int mostTries = 8;
-/// Largest share of a component in a patch: beyond, making the whole component anew is as good. A
-/// patch that has failed would soon grow to such a share.
-constexpr double mostOfComponent = 0.75, mostAfterFailure = 0.5;
+/// Largest share of a component in a patch: beyond, making the whole component anew is as good.
+constexpr double mostOfComponent = 0.75;
 /// A component with at most this many faces may lie in a patch whole: so a speck is made anew
 /// together with the part of a large component that it touches, and not with all of that component.
 constexpr int smallComponent = 200;
 /// Most looks at vertices of the working surface by tries that fail, over the number of its faces.
 /// Tries that succeed look at each vertex a few times at most.
-constexpr double mostLostWork = 2;
-/// This many looks are allowed at any rate: two seconds, less than making a component anew. With
-/// fewer looks, whole components are made anew instead.
-constexpr double leastLostWork = 1'000'000;
+constexpr double mostLostWork = 1;
+/// This many looks are allowed at any rate: two to five seconds. With half as many, more whole
+/// components are made anew instead.
+constexpr double leastLostWork = 600'000;
 
 /// Work of flips and moves, see LocalSearch: of all patches of a turn, and the least and most of a
 /// patch. Less work removes fewer contacts; more work took longer than making the patches anew.
@@ -202,8 +201,7 @@ private:
 		for (Patch& patch : waiting_) {
 			std::vector<int> own = facesOf(patch);
 			if (own.empty()) continue;
-			const double share = patch.tries == 0 ? mostOfComponent : mostAfterFailure;
-			if (areMost(own, components, share, faceNum) || patch.tries >= mostTries) {
+			if (areMost(own, components, faceNum) || patch.tries >= mostTries) {
 				giveUp(patch);
 				continue;
 			}
@@ -241,8 +239,8 @@ private:
 		return num;
 	}
 
-	/// Whether a patch has more than a share of the faces of a component that is not small.
-	static bool areMost(const std::vector<int>& faces, const Components& components, double share,
+	/// Whether a patch has most of the faces of a component that is not small.
+	static bool areMost(const std::vector<int>& faces, const Components& components,
 						const std::vector<int>& faceNum)
 	{
 		std::map<int, int> numOf;
@@ -250,7 +248,7 @@ private:
 			++numOf[components.ofFace[std::size_t(f)]];
 		return std::any_of(numOf.begin(), numOf.end(), [&](const std::pair<const int, int>& num) {
 			const int all = faceNum[std::size_t(num.first)];
-			return all > smallComponent && num.second > int(share * all);
+			return all > smallComponent && num.second > int(mostOfComponent * all);
 		});
 	}
 
