@@ -20,8 +20,9 @@ namespace {
 struct FittedModel {
 	const char* file;
 	double      percent;
-	/// Most of a largest distance, as a multiple of the distance without the fit. Where guarded
-	/// collapses make more anew without the fit, their places are closer to the input.
+	/// Upper limit of p99.9 and of the largest distance, as a multiple of the distance without the
+	/// fit. Without the fit, guarded collapses may make more of the mesh anew, which is closer to
+	/// the input.
 	double most = 1.1;
 };
 

@@ -32,6 +32,7 @@ constexpr Row table[] = {
 	{Driver::CurveFit,       {0.5f, 0,    asked,        -1,           any,   any,  -2,   false, false}},
 	{Driver::Count,          {0.1f, 0,    0.3f * minFlipAngle, -1,           any,   any,  -2,   false, false}},
 	{Driver::InvertedFaces,  {-2,   0,    0,            -1,           any,   0.6f, -2,   false, true}},
+	{Driver::DegenerateFaces, {-2,  0,    0,            -1,           any,   0.6f, -2,   false, false}},
 	{Driver::AnglesOnly,     {-2,   0,    0,            0.8f,         any,   0.5f, 0.5f, true,  false}},
 	{Driver::PoorFaces,      {-2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  false}},
 	{Driver::LargeAngles,    {-2,   0,    asked,        0.6f        , 0.05f, 0.5f, 0.5f, true,  false}},

@@ -37,7 +37,8 @@ enum class Driver {
 	Fit,               ///< moves of all vertices to the input
 	CurveFit,          ///< moves of vertices of curves to their curve
 	Count,             ///< collapses for the exact count
-	InvertedFaces,     ///< local search before the fit
+	InvertedFaces,     ///< local search before the fit, where inverted faces are few
+	DegenerateFaces,   ///< the same for degenerate faces, and where inverted faces are many
 	AnglesOnly,        ///< local search without a fit after it
 	PoorFaces,         ///< local search after the fit
 	LargeAngles,       ///< local search after the fit, for the largest angles

@@ -11,7 +11,8 @@ namespace {
 
 /// Rings of vertices round a face with the same owner, and how many of these may change.
 constexpr int ringNum = 4, changingRings = 2;
-/// Rings with more vertices are not worth their own walk: their face is tried alone.
+/// With more vertices in the rings, as round a vertex with thousands of neighbours, the face is
+/// tried alone: a walk over the rings would take longer than the trial.
 constexpr std::size_t mostVertices = 500;
 
 } // namespace

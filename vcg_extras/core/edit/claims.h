@@ -20,15 +20,15 @@ public:
 	{
 	}
 
-	/// Name of a claim on the whole mesh, for a batch of a single face.
+	/// Name of a claim on the whole mesh, for a face that is tried alone.
 	static constexpr int everything = -1;
 
 	/// Gives all claims back.
 	void clear() { first_ = next_; }
 	/// Claims the rings round a face; returns the name of the claim, or 0 if another claim has one
-	/// of their vertices. Rings with many vertices, as round a vertex with very many neighbours,
-	/// are a claim on everything, whatever is claimed. Cost: a look-up for each edge of some 60
-	/// vertices, and of 500 at most.
+	/// of their vertices. Returns `everything` if the rings have very many vertices, without regard
+	/// to other claims. Cost: a look-up for each edge of some 60 vertices; at most of 500, and of
+	/// one vertex with any number of neighbours.
 	int claim(const HalfEdgeMesh& mesh, int face);
 	/// Whether a claim allows changes of the faces round these vertices. Flips and moves within a
 	/// claim keep what it allows.

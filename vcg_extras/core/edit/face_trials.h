@@ -39,7 +39,7 @@ struct TrialRoom {
 	Workers&      workers;                ///< polled by pairs of operations only, which run alone
 	Assignment*   assignment;             ///< null: no limit on distances
 	FacesInSpace* space;                  ///< null: contacts are not looked for
-	const Claims* claims;                 ///< null: all vertices may change
+	const Claims* claims;                 ///< null if no search takes several faces
 	int           claim = 0;              ///< the own claim
 	std::int64_t  work = 0, attempts = 0; ///< left
 };

@@ -40,7 +40,7 @@ bool LocalSearch::run(const Goal& goal)
 	attempts_ = goal.budget.attempts;
 	failed_   = FailedAttempts(m_.vertexNum + spare_);
 
-	if (goal.contactCost > 0) takeSpace();
+	if (goal.contactCost > 0) takeSpace(); // isBad may look for contacts
 	std::vector<int> bad = findBad(goal);
 	if (bad.empty() || isExhausted()) return bad.empty();
 	if (looksForContacts()) takeSpace();
@@ -136,14 +136,14 @@ LocalSearch::Batch LocalSearch::takeSome(std::deque<int>& waiting)
 {
 	Batch            batch;
 	std::vector<int> later;
-	const bool       takesOne = !takesSeveral();
-	if (!takesOne) claims_->clear();
-	const std::size_t most = takesOne ? 1 : mostAtOnce;
-	for (std::size_t i = 0; i < mostLookedAt && !waiting.empty() && batch.face.size() < most; ++i) {
+	const bool       isSeveral = takesSeveral();
+	if (isSeveral) claims_->clear();
+	for (std::size_t i = 0; i < mostLookedAt && !waiting.empty() && batch.face.size() < mostAtOnce;
+		 ++i) {
 		const int f = waiting.front();
 		waiting.pop_front();
 		if (!mayImprove(f)) continue;
-		const int  claim   = takesOne ? 1 : claims_->claim(m_, f);
+		const int  claim   = isSeveral ? claims_->claim(m_, f) : Claims::everything;
 		const bool isAlone = claim == Claims::everything;
 		if (claim == 0 || (isAlone && !batch.face.empty())) {
 			later.push_back(f);
@@ -162,11 +162,10 @@ void LocalSearch::improve(const Batch& batch)
 {
 	std::vector<FaceTrials> trials;
 	for (int claim : batch.claim) {
-		const Claims* claims = takesSeveral() ? claims_.get() : nullptr;
-		FacesInSpace* space  = looksForContacts() ? space_.get() : nullptr;
-		trials.emplace_back(
-			TrialRoom{editor_, workers_, assignment_, space, claims, claim, work_, attempts_},
-			*goal_);
+		FacesInSpace* space = looksForContacts() ? space_.get() : nullptr;
+		trials.emplace_back(TrialRoom{editor_, workers_, assignment_, space, claims_.get(), claim,
+									  work_, attempts_},
+							*goal_);
 	}
 	if (trials.size() == 1)
 		trials.front().improve(batch.face.front());

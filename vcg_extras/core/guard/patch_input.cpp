@@ -158,12 +158,11 @@ private:
 /// Splits edges longer than a share of the result's edges near by.
 class PatchSubdivision {
 public:
-	PatchSubdivision(const HalfEdgeMesh& result, const std::vector<PatchRole>& role,
+	PatchSubdivision(const HalfEdgeMesh& result, const std::vector<char>& isDeep,
 					 PatchInput& local) :
 			local_(local),
 			m_(local.mesh)
 	{
-		const std::vector<char> isDeep = deepVertices(result, role);
 		for (int label : local.byEdges)
 			limit_.push_back((isDeep[std::size_t(label)] ? longestInside : longestAtBorder) *
 							 longestEdgeAt(result, label));
@@ -236,15 +235,14 @@ int labelAt(const HalfEdgeMesh& result, int near, const Vec3f& p, const Vec3f& n
 	return corner[std::max_element(weight.begin(), weight.end()) - weight.begin()];
 }
 
-void findNearest(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, PatchInput& local,
+void findNearest(const HalfEdgeMesh& result, const std::vector<char>& isDeep, PatchInput& local,
 				 Workers& workers)
 {
 	const HalfEdgeMesh& m = local.mesh;
 	std::vector<Vec3f>  normal(std::size_t(m.vertexNum));
 	for (int h = 0; h < m.halfEdgeNum(); ++h)
 		normal[std::size_t(m.origin[h])] += m.faceCross(h / 3);
-	const std::vector<char> isDeep = deepVertices(result, role);
-	local.byPlace                  = local.byEdges;
+	local.byPlace = local.byEdges;
 	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
 		int& nearest = local.byPlace[std::size_t(v)];
 		if (isDeep[std::size_t(nearest)]) return; // patches only grow
@@ -301,13 +299,14 @@ std::vector<int> PatchInput::labels(const HalfEdgeMesh&           result,
 PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 							 const std::vector<PatchRole>& role, float reach, Workers& workers)
 {
-	const std::size_t most = mostVerticesFor(role);
-	const LocalCells  cells(surface, result, role, reach, most, workers);
-	PatchInput        local = Extraction(surface.mesh, cells).run(workers);
-	PatchSubdivision(result.mesh, role, local).run(most, workers);
+	const std::size_t       most = mostVerticesFor(role);
+	const LocalCells        cells(surface, result, role, reach, most, workers);
+	PatchInput              local  = Extraction(surface.mesh, cells).run(workers);
+	const std::vector<char> isDeep = deepVertices(result.mesh, role);
+	PatchSubdivision(result.mesh, isDeep, local).run(most, workers);
 	local.share     = double(local.mesh.vertexNum) / double(most);
 	local.isTooMuch = local.share > 1;
-	if (!local.isTooMuch) findNearest(result.mesh, role, local, workers);
+	if (!local.isTooMuch) findNearest(result.mesh, isDeep, local, workers);
 	return local;
 }
 

@@ -23,7 +23,7 @@ struct PatchInput {
 	bool   isTooMuch = false;          ///< share above 1: byPlace unfinished
 
 	/// Per vertex: a near vertex of the result, its label. Labels are corners of the nearest
-	/// points; deep inside patches the nearest vertices along edges. role: of now.
+	/// points; deep inside patches the nearest vertices along edges. role: of the patches as grown.
 	std::vector<int> labels(const HalfEdgeMesh& result, const std::vector<PatchRole>& role) const;
 };
 
@@ -37,8 +37,8 @@ std::vector<char> deepVertices(const HalfEdgeMesh& result, const std::vector<Pat
 /// the result that are not PatchRole::Far. Splits edges longer than 0.4 of the result's longest
 /// edge there (deep inside patches 0.6), so that edges can follow the result's triangles. reach:
 /// factor on the search distance from vertices of patches. The collected faces serve as long as
-/// patches only grow, and no other vertex is near a patch. Cost: a pass over the result, and about
-/// 5 µs per collected vertex.
+/// patches only grow, and only vertices come near a patch that are not PatchRole::Far. Cost: a pass
+/// over the result, and about 5 µs per collected vertex.
 PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 							 const std::vector<PatchRole>& role, float reach, Workers& workers);
 

@@ -22,7 +22,8 @@ struct RefilledMesh {
 	std::vector<int> inputVertex; ///< per vertex: vertex of the working surface, the same or near;
 								  ///< -1 outside
 	std::vector<int> label;       ///< per vertex: vertex of the result, the same or near
-	double           work = 0;    ///< looks at vertices of the working surface, in all rounds
+	double           work = 0;    ///< looks at vertices of the working surface, in all rounds;
+								  ///< less than one look a vertex in rounds that collect nothing
 };
 
 /// Whether grown marks may grow further.
@@ -33,9 +34,10 @@ using HasRoom = std::function<bool(const std::vector<char>& marked)>;
 /// corner with the largest weight at the nearest point of the result. If this corner lies inside of
 /// the patch, the surface vertex stays. If the corner lies on the patch's border, the surface
 /// vertex is merged into the corner; on a surface finer than the result the triangles between two
-/// such cells close the gap exactly. So edges of the surface are first split to a third of the
+/// such cells close the gap exactly. So edges of the surface are first split to .4 of the
 /// result's edges. If a border cell is no disk, meets its neighbours otherwise than the triangles
-/// do or reaches farther than an edge, faces at the cell are marked too, and all begins again.
+/// do or reaches farther than an edge, faces at the cell are marked too, and another round begins.
+/// The surface is collected with some more rings, and serves until a patch leaves it.
 /// Inside of patches the search distance grows first.
 ///
 /// Returns false if the marks do not settle, if a border shared with other borders would have to

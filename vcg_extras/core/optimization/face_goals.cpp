@@ -136,7 +136,7 @@ Goal facesWithoutArea(LocalSearch& search)
 	const HalfEdgeMesh& m    = search.mesh();
 	Goal                goal = invertedFaces(search, false);
 	goal.isBad               = [&m](int f) { return hasNoArea(m, f); };
-	goal.limits.contacts     = false; // a contact is better than a degenerate face
+	goal.limits              = acceptanceOf(Driver::DegenerateFaces);
 	goal.budget.limitsWork   = false;
 	return goal;
 }

@@ -29,8 +29,8 @@ struct Few {
 
 /// With more poor faces, the triangles are too large for the surface. Single changes then cost much
 /// and help little: twice the time of the whole run on parts with many holes, at the same worst
-/// angle. With more inverted faces, moves, which cost most, are left out; contacts are everywhere
-/// then, and no limit.
+/// angle. With more inverted faces, moves, which cost most, are left out. Such a mesh has contacts
+/// in many places, so changes may then make contacts.
 constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
 /// Operations that change the count are tried at few faces, because each must be compensated at
 /// another place. Pairs in a row, which take some hundred trials, are tried only with at most this
@@ -244,7 +244,7 @@ bool repairOrientation(LocalSearch& search, Goal goal, std::size_t invertedNum)
 {
 	if (!fewInverted.holds(invertedNum, search.mesh())) {
 		goal.operations.erase(goal.operations.begin()); // the moves
-		goal.limits.contacts = false;
+		goal.limits = acceptanceOf(Driver::DegenerateFaces);
 	}
 	return search.run(goal);
 }
