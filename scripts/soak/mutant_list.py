@@ -24,7 +24,7 @@ MUTANTS = [
     ("eq5 calibrated", "sampling/sizing.cpp",
      "sizing.radiusFactor = meanStretch * double(normalise(workers, sizing.size));",
      "normalise(workers, sizing.size);\n\tsizing.radiusFactor = "
-     "std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));"),
+     "std::sqrt(meanSquaredStretch(surface, sizing.size, workers));"),
     ("feature disks", "sampling/sizing.cpp",
      "size[v] *= float(request.options.featureDiskScale);", "size[v] *= 1;"),
     ("flood visits again", "surface/disk_flood.cpp", "constexpr std::size_t mostVisitsAgain = 4;",
@@ -74,6 +74,7 @@ MUTANTS = [
      "isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;", ""),
     ("search: rings of a claim", "edit/claims.cpp",
      "constexpr int ringNum = 4, changingRings = 2;", "constexpr int ringNum = 3, changingRings = 2;"),
+    ("search: work of claims", "edit/local_search.cpp", "if (isSeveral) work_ -= claims_->lookNum();", ""),
     ("search: claims at hubs", "edit/claims.cpp", "if (isWide()) return everything;", ""),
     ("search: what a claim allows", "edit/claims.cpp",
      "return owner_[std::size_t(v)] == claim;", "return true;"),

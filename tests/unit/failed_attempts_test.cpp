@@ -40,6 +40,19 @@ TEST_F(FailedAttemptsOnAGrid, ForgetsWhereSomethingNearChanges)
 	}
 }
 
+TEST_F(FailedAttemptsOnAGrid, CountsWhatAChangeLooksAt)
+{
+	const int        changed = m.origin[3 * face];
+	std::vector<int> walked  = {changed};
+	for (int ring = 0; ring < 2; ++ring)
+		walked = verticesOf(m, facesRound(m, walked));
+	std::int64_t neighbourNum = 0;
+	for (int v : walked)
+		neighbourNum += m.valence(v);
+	EXPECT_EQ(attempts.noteChange(m, {changed}), neighbourNum);
+	EXPECT_EQ(FailedAttempts(m.vertexNum).noteChange(m, {}), 0);
+}
+
 /// Flipped and back, the two faces of an edge have exchanged their numbers.
 TEST_F(FailedAttemptsOnAGrid, KnowsFacesWhateverTheirNumber)
 {

@@ -65,6 +65,18 @@ std::vector<int> tableOf(const HalfEdgeMesh& m)
 
 } // namespace
 
+/// Each claim at a hub looks at all its neighbours, so these walks are work, too.
+TEST(LocalSearches, CountWalksRoundAHub)
+{
+	OnSurface    on(cone(5000, 1, 1, 1));
+	std::int64_t work = 1000000;
+	LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, on.workers);
+	Goal         goal; // nothing to try
+	goal.isBad    = [](int) { return true; };
+	goal.faceCost = [](int) { return 1.0f; };
+	EXPECT_FALSE(search.run(goal)) << work << " left";
+}
+
 /// A budget that is spent with the last bad face ends no search.
 TEST(LocalSearches, TellABudgetOnlyIfItLeavesBadFaces)
 {

@@ -14,8 +14,9 @@ constexpr int ringNum = 3;
 
 } // namespace
 
-void FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> ring)
+std::int64_t FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> ring)
 {
+	std::int64_t lookNum = 0;
 	++now_;
 	for (int v : ring)
 		changedAt_[v] = now_;
@@ -23,12 +24,14 @@ void FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> ring)
 		std::vector<int> next;
 		for (int v : ring) {
 			forEachNeighbour(m, v, [&](int w) {
+				++lookNum;
 				if (changedAt_[w] != now_) next.push_back(w);
 				changedAt_[w] = now_;
 			});
 		}
 		ring.swap(next);
 	}
+	return lookNum;
 }
 
 bool FailedAttempts::isKnown(const HalfEdgeMesh& m, int f) const

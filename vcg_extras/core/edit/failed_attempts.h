@@ -6,6 +6,7 @@
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -19,9 +20,9 @@ public:
 	/// maxVertices: the mesh will never have more vertices.
 	explicit FailedAttempts(int maxVertices) : changedAt_(maxVertices, 0) {}
 
-	/// Records that the vertices moved, are new, or have other faces now. Cost: three rings of
-	/// faces round the vertices.
-	void noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
+	/// Records that the vertices moved, are new, or have other faces now. Returns the number of
+	/// look-ups: the neighbours of the vertices in three rings round these.
+	std::int64_t noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
 	/// Records that no change helped at f.
 	void noteFailure(const HalfEdgeMesh& mesh, int f) { failedAt_[keyOf(mesh, f)] = now_; }
 	/// Whether no change helped at f, and since then nothing within three rings of f has changed.

@@ -143,7 +143,8 @@ LocalSearch::Batch LocalSearch::takeSome(std::deque<int>& waiting)
 		const int f = waiting.front();
 		waiting.pop_front();
 		if (!mayImprove(f)) continue;
-		const int  claim   = isSeveral ? claims_->claim(m_, f) : Claims::everything;
+		const int claim = isSeveral ? claims_->claim(m_, f) : Claims::everything;
+		if (isSeveral) work_ -= claims_->lookNum();
 		const bool isAlone = claim == Claims::everything;
 		if (claim == 0 || (isAlone && !batch.face.empty())) {
 			later.push_back(f);
@@ -185,7 +186,7 @@ void LocalSearch::note(int f, const FaceTrials& trials)
 	for (const FaceTrials::Kept& change : trials.kept()) {
 		for (const Operation& op : change.operations)
 			editor_.countDone(op);
-		failed_.noteChange(m_, change.patch);
+		work_ -= failed_.noteChange(m_, change.patch);
 		touched_.insert(touched_.end(), change.patch.begin(), change.patch.end());
 		++changeNum_;
 	}
