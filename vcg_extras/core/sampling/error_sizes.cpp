@@ -83,7 +83,10 @@ public:
 		Vec3f place; ///< seen from the centre
 	};
 
-	explicit Disk(const HalfEdgeMesh& mesh) : mesh_(mesh), slot_(64, none) {}
+	explicit Disk(const HalfEdgeMesh& mesh) :
+			mesh_(mesh), isMember_(std::size_t(mesh.vertexNum) / bitsOfWord + 1, 0)
+	{
+	}
 
 	void collect(int centre, float radius)
 	{
@@ -171,13 +174,15 @@ private:
 		Vec3f from, to;
 		float squaredFrom, squaredTo;
 	};
-	static constexpr int none = -1;
+	static constexpr unsigned bitsOfWord = 64;
 
 	const HalfEdgeMesh& mesh_;
 	float               squaredRadius_ = 0;
 	std::vector<Member> members_;
 	std::vector<Edge>   edges_;
-	std::vector<int>    slot_; ///< a hash table of the members' vertices, a power of two
+	/// A bit for each vertex of the mesh. Vertices are in spatial order, so the bits of a disk lie
+	/// in few lines of the cache.
+	std::vector<std::uint64_t> isMember_;
 
 	/// The share of an edge inside the ball.
 	static float shareInside(const Edge& e, float squaredRadius)
@@ -194,31 +199,18 @@ private:
 		const float before = dot(e.from, direction);
 		return before + shareInside(e, squaredRadius) * (beyond - before);
 	}
-	std::size_t slotOf(int vertex) const
-	{
-		const std::size_t mask = slot_.size() - 1;
-		std::size_t       at   = (std::uint32_t(vertex) * 2654435769u >> 7) & mask;
-		while (slot_[at] != none && slot_[at] != vertex)
-			at = (at + 1) & mask;
-		return at;
-	}
 	void add(const Member& member)
 	{
-		const std::size_t at = slotOf(member.vertex);
-		if (slot_[at] == member.vertex) return;
-		slot_[at] = member.vertex;
+		std::uint64_t&      word = isMember_[std::uint32_t(member.vertex) / bitsOfWord];
+		const std::uint64_t bit  = std::uint64_t(1) << std::uint32_t(member.vertex) % bitsOfWord;
+		if ((word & bit) != 0) return;
+		word |= bit;
 		members_.push_back(member);
-		if (2 * members_.size() > slot_.size()) grow();
-	}
-	void grow()
-	{
-		slot_.assign(2 * slot_.size(), none);
-		for (const Member& m : members_)
-			slot_[slotOf(m.vertex)] = m.vertex;
 	}
 	void forget()
 	{
-		std::fill(slot_.begin(), slot_.end(), none);
+		for (const Member& m : members_)
+			isMember_[std::uint32_t(m.vertex) / bitsOfWord] = 0;
 		members_.clear();
 		edges_.clear();
 	}
