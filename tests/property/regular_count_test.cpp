@@ -7,6 +7,7 @@
 #include <tests/support/run_options.h>
 #include <vcg_extras/core/remesh.h>
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -31,12 +32,22 @@ std::vector<Part> narrowParts()
 			{"ring", ringPlate(96, 0.6, 0.04), 80, 2}};
 }
 
-bool hasNote(const RemeshResult& result)
+bool hasNote(const RemeshResult& result, const char* words = "make nearly all faces regular")
 {
 	for (const std::string& note : result.notes)
-		if (note.find("are forecast to make nearly all faces regular") != std::string::npos)
-			return true;
+		if (note.find(words) != std::string::npos) return true;
 	return false;
+}
+
+/// A square plate with narrow ribs: rows of a grid, raised in pairs.
+TriangleMesh ribbedPlate()
+{
+	constexpr int n    = 60;
+	TriangleMesh  mesh = grid(n, n);
+	for (Vec3d& p : mesh.positions) {
+		if (std::lround(p.x * n) % 4 >= 2) p.z += 1.5 / n;
+	}
+	return mesh;
 }
 
 double below30(const TriangleMesh& mesh, std::int64_t vertexNum)
@@ -63,6 +74,21 @@ TEST(RegularCount, IsForecastWithinAFactor)
 		EXPECT_GT(below30(part.mesh, std::int64_t(double(num) / part.factor)), mostIrregular)
 			<< num;
 	}
+}
+
+/// Triangles that round the ribs off may be as regular as those of a plain plate.
+TEST(RegularCount, IsForecastWhereCreasesAreRoundedOff)
+{
+	const TriangleMesh mesh = ribbedPlate();
+	const MeshView     input(mesh.positions, mesh.triangles);
+	const RemeshResult few = remesh(input, countOptions(150));
+	EXPECT_LT(few.report.quality.below30Percent, 20);
+	EXPECT_TRUE(hasNote(few, "crease edges are rounded off there"));
+	const std::int64_t num = few.report.regularVertexNum;
+	ASSERT_GT(num, 300);
+	const RemeshResult many = remesh(input, countOptions(int(2 * num)));
+	EXPECT_EQ(many.report.regularVertexNum, 0);
+	EXPECT_GT(many.report.featureEdgeNum, 0);
 }
 
 TEST(RegularCount, IsNotToldOfARegularResult)

@@ -143,6 +143,14 @@ TEST_F(MarkCreases, AThinPlateHasTwelveEdges)
 	EXPECT_NEAR(markedLength(), 8 + 4 * 0.005, 1e-6);
 }
 
+TEST_F(MarkCreases, TellCreasesTooShortForLines)
+{
+	rules.minLength = rules.minLoop = 100;
+	mark(cube(4));
+	EXPECT_EQ(found.edgeNum, 0);
+	EXPECT_TRUE(found.hasCreases);
+}
+
 TEST_F(MarkCreases, NoneOnANoisySphere)
 {
 	Random random(5);
@@ -150,6 +158,7 @@ TEST_F(MarkCreases, NoneOnANoisySphere)
 	EXPECT_EQ(found.edgeNum, 0);
 	EXPECT_TRUE(found.coneApexes.empty());
 	EXPECT_TRUE(found.wasNoise) << "the test wants noise with sharp edges";
+	EXPECT_FALSE(found.hasCreases);
 }
 
 /// Splits make flat edges inside of faces; the noise must not stand out from these edges.

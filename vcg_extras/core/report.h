@@ -194,8 +194,9 @@ struct RemeshReport {
 	double        adapt           = 0; ///< adaptivity in force; 0 with even sizes
 	int           threads         = 0;
 	std::int64_t  targetVertexNum = 0; ///< the count that percent or edge length resolve to
-	/// If many triangles are irregular: the number of vertices with which about 95 % of the faces
-	/// have no angle below 30 degrees, by a forecast. 0: not needed, or not known.
+	/// If many triangles are irregular, or round crease edges off: the number of vertices with
+	/// which about 95 % of the faces have no angle below 30 degrees, by a forecast. 0: not needed,
+	/// or not known.
 	std::int64_t regularVertexNum        = 0;
 	double       diskRadius              = 0; ///< r, mesh units
 	double       radiusConstant          = 0; ///< c of eq. (1)

@@ -49,6 +49,7 @@ public:
 				if (sharp.empty()) return found;
 				markAll(sharp);
 			}
+			found.hasCreases = true;
 			growFromEnds(sharp);
 			dropShortOnes();
 		}

@@ -30,9 +30,10 @@ struct CreaseRules {
 
 /// The result of markCreases.
 struct CreaseFindings {
-	std::vector<int> coneApexes;       ///< cone apexes, on no line
-	std::int64_t     edgeNum  = 0;     ///< edges marked
-	bool             wasNoise = false; ///< Auto: there are crease edges, but they look like noise
+	std::vector<int> coneApexes;         ///< cone apexes, on no line
+	std::int64_t     edgeNum    = 0;     ///< edges marked
+	bool             wasNoise   = false; ///< Auto: there are sharp edges that look like noise
+	bool             hasCreases = false; ///< sharp edges, no noise, even if too short for lines
 };
 
 /// Marks the edges of feature lines in surface.mesh.crease, or leaves crease empty if there are

@@ -336,24 +336,30 @@ std::int64_t rounded(double number)
 }
 
 /// A result with too few vertices for its shape names the number with which it would be regular.
+/// Crease edges that the triangles round off are told, too, however regular the triangles are.
 void tellRegularNum(RunContext& run, Products& made)
 {
 	constexpr double   mostIrregular = 20; // percent of the faces
-	constexpr double   leastGrowth   = 1.2;
+	const bool         isIrregular   = made.quality.below30Percent > mostIrregular;
+	const double       leastGrowth   = isIrregular ? 1.2 : 2;
 	const std::int64_t num           = made.result.vertexNum();
-	if (made.quality.below30Percent <= mostIrregular || isPaper(run.options)) return;
+	if (isPaper(run.options) || !(isIrregular || made.lines.found.hasCreases)) return;
 	const float  angle = float(run.options.featureAngleDeg) * radians;
 	const float  even  = evenEdge(made.surface.area, num);
 	const double ratio = double(
 		even / edgeForRegularity(made.surface.mesh, made.surface.area / made.surface.mesh.sideNum(),
 								 even, angle, run.workers));
 	if (ratio * ratio < leastGrowth) return;
-	made.regularNum     = rounded(ratio * ratio * double(num));
-	const int irregular = int(std::lround(made.quality.below30Percent));
-	run.tell("The triangles are wider than much of the surface between crease edges, so " +
-			 std::to_string(irregular) + " % of the faces have an angle below 30 degrees. About " +
-			 std::to_string(made.regularNum) + " vertices (" + std::to_string(2 * made.regularNum) +
-			 " faces) are forecast to make nearly all faces regular.");
+	made.regularNum       = rounded(ratio * ratio * double(num));
+	const int   irregular = int(std::lround(made.quality.below30Percent));
+	std::string effect = "crease edges are rounded off there", gain = "keep these edges";
+	if (isIrregular) {
+		effect = std::to_string(irregular) + " % of the faces have an angle below 30 degrees";
+		gain   = "make nearly all faces regular";
+	}
+	run.tell("The triangles are wider than much of the surface between crease edges, so " + effect +
+			 ". About " + std::to_string(made.regularNum) + " vertices (" +
+			 std::to_string(2 * made.regularNum) + " faces) are forecast to " + gain + ".");
 }
 
 } // namespace
