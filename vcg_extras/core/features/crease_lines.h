@@ -32,8 +32,8 @@ struct CreaseRules {
 struct CreaseFindings {
 	std::vector<int> coneApexes;         ///< cone apexes, on no line
 	std::int64_t     edgeNum    = 0;     ///< edges marked
-	bool             wasNoise   = false; ///< Auto: there are sharp edges that look like noise
-	bool             hasCreases = false; ///< sharp edges, no noise, even if too short for lines
+	bool             wasNoise   = false; ///< Auto: there are crease edges, but they look like noise
+	bool             hasCreases = false; ///< crease edges, no noise, even if too short for lines
 };
 
 /// Marks the edges of feature lines in surface.mesh.crease, or leaves crease empty if there are
