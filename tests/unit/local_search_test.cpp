@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <numeric>
 
 namespace gpr::test {
@@ -72,8 +73,9 @@ TEST(LocalSearches, CountWalksRoundAHub)
 	std::int64_t work = 1000000;
 	LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, on.workers);
 	Goal         goal; // nothing to try
-	goal.isBad    = [](int) { return true; };
-	goal.faceCost = [](int) { return 1.0f; };
+	goal.isBad           = [](int) { return true; };
+	goal.faceCost        = [](int) { return 1.0f; };
+	goal.budget.attempts = std::numeric_limits<std::int64_t>::max();
 	EXPECT_FALSE(search.run(goal)) << work << " left";
 }
 
@@ -384,6 +386,32 @@ TEST(LocalSearch, MovesNoFaceThroughAnother)
 	EXPECT_GT(way, 0) << "as far as it may";
 	EXPECT_LT(way, free);
 	EXPECT_TRUE(findTouchingPairs(guarded.m(), guarded.workers).empty());
+}
+
+/// A needle pierces the ring of a vertex, wherever the vertex lies in its ring. Draws the vertex
+/// away from the needle; returns its way in edges.
+float drawBesideANeedle(bool keepsContacts)
+{
+	TriangleMesh needle;
+	needle.positions = {{0.46, 0.46, -0.03}, {0.47, 0.46, 0.03}, {0.46, 0.47, 0.03}};
+	needle.triangles = {0, 1, 2};
+	OnSurface on(joined(grid(8, 8), needle));
+	EXPECT_FALSE(findTouchingPairs(on.m(), on.workers).empty());
+	const int   v        = vertexNear(on, {0.5, 0.5, 0});
+	const float start    = on.m().position[v].x;
+	Goal        goal     = drawnAlong(on, v, {1, 0, 0});
+	goal.stepLengths     = {0.1f};
+	goal.limits.contacts = keepsContacts;
+	search(on, goal);
+	EXPECT_FALSE(findTouchingPairs(on.m(), on.workers).empty());
+	return (on.m().position[v].x - start) / on.result.idealEdge;
+}
+
+TEST(LocalSearch, MovesFacesWithAContactThatStays)
+{
+	const float free = drawBesideANeedle(false);
+	EXPECT_GT(free, 0.2f) << "else nothing is tested";
+	EXPECT_GT(drawBesideANeedle(true), 0.5f * free);
 }
 
 /// The number of contacts after a search against contacts of wanted faces.
