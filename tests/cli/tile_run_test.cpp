@@ -496,6 +496,8 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 				  "--boundary keep");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),
 				  4, "Ask for at most");
+	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "700", "--memory", "5M"}), 4,
+				  "at least 0.03 GB of memory, and --memory allows 0.005 GB.");
 	const std::string text = put("text.stl", asciiStl(torus(20)));
 	expectFailure(run({"tile", "plan", path("run"), text}), 3, "cannot be read in tiles");
 	plan(in, {"--vertices", "700"});

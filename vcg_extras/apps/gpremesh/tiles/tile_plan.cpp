@@ -177,12 +177,18 @@ void requireMemoryFor(double vertexNum, double memoryBytes)
 	constexpr double each   = bytesPerResultVertex + 2 * bytesPerCondensedFace * leastDensity;
 	const double     needed = bytesAtLeast + each * vertexNum;
 	if (!(memoryBytes > 0) || needed <= memoryBytes) return;
+	const double most = (memoryBytes - bytesAtLeast) / each;
+	if (most < 4) { // of a tetrahedron
+		throw AppError(ExitCode::PromiseBroken,
+					   formatted("A run in tiles needs at least %.3g GB of memory, and --memory "
+								 "allows %.3g GB.",
+								 bytesAtLeast * 1e-9, memoryBytes * 1e-9));
+	}
 	throw AppError(
 		ExitCode::PromiseBroken,
-		formatted("A result of %.0f vertices needs about %.1f GB of memory at the end, and "
-				  "--memory allows %.1f GB. Ask for at most %.0f vertices.",
-				  vertexNum, needed * 1e-9, memoryBytes * 1e-9,
-				  std::max(0.0, (memoryBytes - bytesAtLeast) / each)));
+		formatted("A result of %.0f vertices needs about %.3g GB of memory at the end, and "
+				  "--memory allows %.3g GB. Ask for at most %.0f vertices.",
+				  vertexNum, needed * 1e-9, memoryBytes * 1e-9, most));
 }
 
 void requireMemoryForFaces(double faceNum, double memoryBytes)
@@ -192,8 +198,8 @@ void requireMemoryForFaces(double faceNum, double memoryBytes)
 	throw AppError(
 		ExitCode::PromiseBroken,
 		formatted("The condensed surface has %.0f faces, since parts of the input could not "
-				  "be condensed. This surface needs about %.1f GB of memory, and --memory allows "
-				  "%.1f GB.",
+				  "be condensed. This surface needs about %.3g GB of memory, and --memory allows "
+				  "%.3g GB.",
 				  faceNum, needed * 1e-9, memoryBytes * 1e-9));
 }
 
