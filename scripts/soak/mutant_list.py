@@ -74,7 +74,7 @@ MUTANTS = [
      "isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;", ""),
     ("search: rings of a claim", "edit/claims.cpp",
      "constexpr int ringNum = 4, changingRings = 2;", "constexpr int ringNum = 3, changingRings = 2;"),
-    ("search: work of claims", "edit/local_search.cpp", "if (isSeveral) work_ -= claims_->lookNum();", ""),
+    ("search: work of claims", "edit/local_search.cpp", "if (isSeveral) work_ -= claims_->work();", ""),
     ("search: claims at hubs", "edit/claims.cpp", "if (isWide()) return everything;", ""),
     ("search: what a claim allows", "edit/claims.cpp",
      "return owner_[std::size_t(v)] == claim;", "return true;"),

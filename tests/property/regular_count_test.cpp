@@ -76,7 +76,7 @@ TEST(RegularCount, IsForecastWithinAFactor)
 	}
 }
 
-/// Triangles that round the ribs off may be as regular as those of a plain plate.
+/// Triangles that round the ribs off may be as regular as triangles on a plain plate.
 TEST(RegularCount, IsForecastWhereCreasesAreRoundedOff)
 {
 	const TriangleMesh mesh = ribbedPlate();

@@ -362,17 +362,21 @@ TEST(LocalSearch, InvertsNoMoreFacesWhereSomeAreAlready)
 	EXPECT_EQ(invertedAfterDrawing(0.6f, before), before);
 }
 
-/// Moves of the vertex at the top drag faces through the leaf. Returns how far the vertex at the
-/// top came.
-float drawTop(OnSurface& on, bool keepsContacts)
+/// Draws a vertex along x in steps, which are in edges. Returns how far the vertex came.
+float drawAlongX(OnSurface& on, int v, float step, bool keepsContacts)
 {
-	const int   v        = vertexNear(on, {0, 2, 1});
 	const float start    = on.m().position[v].x;
 	Goal        goal     = drawnAlong(on, v, {1, 0, 0});
-	goal.stepLengths     = {0.05f};
+	goal.stepLengths     = {step};
 	goal.limits.contacts = keepsContacts;
 	search(on, goal);
 	return on.m().position[v].x - start;
+}
+
+/// Moves of the vertex at the top drag faces through the leaf.
+float drawTop(OnSurface& on, bool keepsContacts)
+{
+	return drawAlongX(on, vertexNear(on, {0, 2, 1}), 0.05f, keepsContacts);
 }
 
 TEST(LocalSearch, MovesNoFaceThroughAnother)
@@ -397,14 +401,9 @@ float drawBesideANeedle(bool keepsContacts)
 	needle.triangles = {0, 1, 2};
 	OnSurface on(joined(grid(8, 8), needle));
 	EXPECT_FALSE(findTouchingPairs(on.m(), on.workers).empty());
-	const int   v        = vertexNear(on, {0.5, 0.5, 0});
-	const float start    = on.m().position[v].x;
-	Goal        goal     = drawnAlong(on, v, {1, 0, 0});
-	goal.stepLengths     = {0.1f};
-	goal.limits.contacts = keepsContacts;
-	search(on, goal);
+	const float way = drawAlongX(on, vertexNear(on, {0.5, 0.5, 0}), 0.1f, keepsContacts);
 	EXPECT_FALSE(findTouchingPairs(on.m(), on.workers).empty());
-	return (on.m().position[v].x - start) / on.result.idealEdge;
+	return way / on.result.idealEdge;
 }
 
 TEST(LocalSearch, MovesFacesWithAContactThatStays)

@@ -20,12 +20,12 @@ constexpr std::size_t mostVertices = 500;
 int Claims::claim(const HalfEdgeMesh& m, int face)
 {
 	reached_.clear();
-	lookNum_ = 0;
+	work_ = 0;
 	++visit_;
 	bool       isTaken = false;
 	const auto isWide  = [&] { return reached_.size() > mostVertices; };
 	const auto reach   = [&](int v) {
-        ++lookNum_;
+        ++work_;
         if (visitOf_[std::size_t(v)] == visit_) return;
         visitOf_[std::size_t(v)] = visit_;
         isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;

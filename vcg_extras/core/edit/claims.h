@@ -34,16 +34,16 @@ public:
 	/// Whether a claim allows changes of the faces round these vertices. Flips and moves within a
 	/// claim keep what it allows.
 	bool allow(int claim, const std::vector<int>& patch) const;
-	/// Look-ups of the last claim.
-	std::int64_t lookNum() const { return lookNum_; }
+	/// Work of the last claim: its look-ups.
+	std::int64_t work() const { return work_; }
 
 private:
 	std::vector<int> owner_;                ///< per vertex: claim, or -claim in the outer rings
 	int              first_ = 1, next_ = 1; ///< names of the claims of now: from first to next
 	std::vector<int> visitOf_;              ///< per vertex: the last visit
 	int              visit_ = 0;
-	std::vector<int> reached_;     ///< of the last visit
-	std::int64_t     lookNum_ = 0; ///< of the last visit
+	std::vector<int> reached_;  ///< of the last visit
+	std::int64_t     work_ = 0; ///< of the last visit
 };
 
 } // namespace gpr

@@ -16,7 +16,7 @@ constexpr int ringNum = 3;
 
 std::int64_t FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> ring)
 {
-	std::int64_t lookNum = 0;
+	std::int64_t work = 0;
 	++now_;
 	for (int v : ring)
 		changedAt_[v] = now_;
@@ -24,14 +24,14 @@ std::int64_t FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> 
 		std::vector<int> next;
 		for (int v : ring) {
 			forEachNeighbour(m, v, [&](int w) {
-				++lookNum;
+				++work;
 				if (changedAt_[w] != now_) next.push_back(w);
 				changedAt_[w] = now_;
 			});
 		}
 		ring.swap(next);
 	}
-	return lookNum;
+	return work;
 }
 
 bool FailedAttempts::isKnown(const HalfEdgeMesh& m, int f) const

@@ -20,8 +20,8 @@ public:
 	/// maxVertices: the mesh will never have more vertices.
 	explicit FailedAttempts(int maxVertices) : changedAt_(maxVertices, 0) {}
 
-	/// Records that the vertices moved, are new, or have other faces now. Returns the number of
-	/// look-ups: the neighbours of the vertices in three rings round these.
+	/// Records that the vertices moved, are new, or have other faces now. Returns the work: the
+	/// neighbours of the vertices in three rings round these.
 	std::int64_t noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
 	/// Records that no change helped at f.
 	void noteFailure(const HalfEdgeMesh& mesh, int f) { failedAt_[keyOf(mesh, f)] = now_; }

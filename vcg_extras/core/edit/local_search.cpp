@@ -144,7 +144,7 @@ LocalSearch::Batch LocalSearch::takeSome(std::deque<int>& waiting)
 		waiting.pop_front();
 		if (!mayImprove(f)) continue;
 		const int claim = isSeveral ? claims_->claim(m_, f) : Claims::everything;
-		if (isSeveral) work_ -= claims_->lookNum();
+		if (isSeveral) work_ -= claims_->work();
 		const bool isAlone = claim == Claims::everything;
 		if (claim == 0 || (isAlone && !batch.face.empty())) {
 			later.push_back(f);

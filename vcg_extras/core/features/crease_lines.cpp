@@ -49,8 +49,8 @@ public:
 				if (sharp.empty()) return found;
 				markAll(sharp);
 			}
-			found.hasCreases = true;
 			growFromEnds(sharp);
+			found.creaseNum = std::int64_t(edges_.size());
 			dropShortOnes();
 		}
 		found.coneApexes =

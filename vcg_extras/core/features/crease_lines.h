@@ -30,10 +30,10 @@ struct CreaseRules {
 
 /// The result of markCreases.
 struct CreaseFindings {
-	std::vector<int> coneApexes;         ///< cone apexes, on no line
-	std::int64_t     edgeNum    = 0;     ///< edges marked
-	bool             wasNoise   = false; ///< Auto: there are crease edges, but they look like noise
-	bool             hasCreases = false; ///< crease edges, no noise, even if too short for lines
+	std::vector<int> coneApexes;        ///< cone apexes, on no line
+	std::int64_t     creaseNum = 0;     ///< crease edges that are no noise
+	std::int64_t     edgeNum   = 0;     ///< edges marked: of lines neither too short nor too close
+	bool             wasNoise  = false; ///< Auto: there are crease edges, but they look like noise
 };
 
 /// Marks the edges of feature lines in surface.mesh.crease, or leaves crease empty if there are

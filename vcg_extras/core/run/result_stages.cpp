@@ -335,6 +335,13 @@ std::int64_t rounded(double number)
 	return std::int64_t(unit * std::round(number / unit));
 }
 
+/// Whether many crease edges are on no feature line, so that triangles may round them off.
+bool leavesCreases(const CreaseFindings& found)
+{
+	constexpr double share = 0.1;
+	return double(found.creaseNum - found.edgeNum) > share * double(found.creaseNum);
+}
+
 /// A result with too few vertices for its shape names the number with which it would be regular.
 /// Crease edges that the triangles round off are told, too, however regular the triangles are.
 void tellRegularNum(RunContext& run, Products& made)
@@ -343,19 +350,19 @@ void tellRegularNum(RunContext& run, Products& made)
 	const bool         isIrregular   = made.quality.below30Percent > mostIrregular;
 	const double       leastGrowth   = isIrregular ? 1.2 : 2;
 	const std::int64_t num           = made.result.vertexNum();
-	if (isPaper(run.options) || !(isIrregular || made.lines.found.hasCreases)) return;
+	if (isPaper(run.options) || !(isIrregular || leavesCreases(made.lines.found))) return;
 	const float  angle = float(run.options.featureAngleDeg) * radians;
 	const float  even  = evenEdge(made.surface.area, num);
 	const double ratio = double(
 		even / edgeForRegularity(made.surface.mesh, made.surface.area / made.surface.mesh.sideNum(),
 								 even, angle, run.workers));
 	if (ratio * ratio < leastGrowth) return;
-	made.regularNum       = rounded(ratio * ratio * double(num));
-	const int   irregular = int(std::lround(made.quality.below30Percent));
+	made.regularNum    = rounded(ratio * ratio * double(num));
 	std::string effect = "crease edges are rounded off there", gain = "keep these edges";
 	if (isIrregular) {
-		effect = std::to_string(irregular) + " % of the faces have an angle below 30 degrees";
-		gain   = "make nearly all faces regular";
+		effect = std::to_string(std::lround(made.quality.below30Percent)) +
+				 " % of the faces have an angle below 30 degrees";
+		gain = "make nearly all faces regular";
 	}
 	run.tell("The triangles are wider than much of the surface between crease edges, so " + effect +
 			 ". About " + std::to_string(made.regularNum) + " vertices (" +

@@ -83,10 +83,7 @@ public:
 		Vec3f place; ///< seen from the centre
 	};
 
-	explicit Disk(const HalfEdgeMesh& mesh) :
-			mesh_(mesh), isMember_(std::size_t(mesh.vertexNum) / bitsOfWord + 1, 0)
-	{
-	}
+	explicit Disk(const HalfEdgeMesh& mesh) : mesh_(mesh), isMember_(std::size_t(mesh.vertexNum)) {}
 
 	void collect(int centre, float radius)
 	{
@@ -174,15 +171,13 @@ private:
 		Vec3f from, to;
 		float squaredFrom, squaredTo;
 	};
-	static constexpr unsigned bitsOfWord = 64;
-
 	const HalfEdgeMesh& mesh_;
 	float               squaredRadius_ = 0;
 	std::vector<Member> members_;
 	std::vector<Edge>   edges_;
 	/// A bit for each vertex of the mesh. Vertices are in spatial order, so the bits of a disk lie
 	/// in few lines of the cache.
-	std::vector<std::uint64_t> isMember_;
+	std::vector<bool> isMember_;
 
 	/// The share of an edge inside the ball.
 	static float shareInside(const Edge& e, float squaredRadius)
@@ -201,16 +196,14 @@ private:
 	}
 	void add(const Member& member)
 	{
-		std::uint64_t&      word = isMember_[std::uint32_t(member.vertex) / bitsOfWord];
-		const std::uint64_t bit  = std::uint64_t(1) << std::uint32_t(member.vertex) % bitsOfWord;
-		if ((word & bit) != 0) return;
-		word |= bit;
+		if (isMember_[std::size_t(member.vertex)]) return;
+		isMember_[std::size_t(member.vertex)] = true;
 		members_.push_back(member);
 	}
 	void forget()
 	{
 		for (const Member& m : members_)
-			isMember_[std::uint32_t(m.vertex) / bitsOfWord] = 0;
+			isMember_[std::size_t(m.vertex)] = false;
 		members_.clear();
 		edges_.clear();
 	}
@@ -555,7 +548,10 @@ private:
                 if (gauge.ofLargest(v, least) > least) out.push_back({v, gauge.ofAll(most)});
             }
 		};
-		bent_ = workers_.collect<Bent>(centre_.size(), search);
+		// A gauge clears a bit for each vertex, so large meshes have few pieces, too.
+		constexpr std::size_t pieces = 64;
+		const std::size_t     grain  = std::max<std::size_t>(1, centre_.size() / pieces);
+		bent_                        = workers_.collect<Bent>(centre_.size(), search, grain);
 	}
 
 	/// Makes the sizes for an ε. Every other vertex has the largest size.
