@@ -568,14 +568,16 @@ TEST(PatchLabels, NotchesAreFilled)
 	g.expectCleanedTo(filled);
 }
 
-/// A vertex beside a label beyond the border stays: its triangles there cause the notch.
-TEST(PatchLabels, NotchesBesideWhatLiesBeyondStay)
+/// Vertices beyond the border are joined to the cells, from both ends of the gap.
+TEST(PatchLabels, GapsBetweenCellsAreClosed)
 {
-	Pocket g;
+	LabelledGrid           g;
+	const std::vector<int> before = g.label;
 	g.role.push_back(PatchRole::Near);
-	g.put(11.0f / g.n, 10.0f / g.n, 4);
-	cleanLabels(g.mesh, g.role, g.label, g.workers);
-	EXPECT_EQ(g.label[std::size_t(g.lower)], 0);
+	for (float y : {0.5f, 0.55f})
+		g.put(0.51f, y, 4);
+	ASSERT_NE(g.label, before);
+	g.expectCleanedTo(before);
 }
 
 /// Inner vertices beside three cells are not enclosed by a cell.

@@ -28,7 +28,7 @@ public:
 		for (int pass = 0; pass < maxPasses; ++pass) {
 			workers.poll();
 			findPieces();
-			const int changes = joinPieces() + joinEnclosed() + joinNotches();
+			const int changes = joinPieces() + joinEnclosed() + joinNotches() + closeGaps();
 			if (changes == 0) return;
 		}
 	}
@@ -209,16 +209,32 @@ private:
 		return changes;
 	}
 
+	/// Gives vertices beyond the border that meet inner vertices to a cell beside.
+	int closeGaps()
+	{
+		int changes = 0;
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (m_.outgoing[v] < 0 || isInside(v) || isBorder(v) || !meetsInside(v)) continue;
+			const int label = labelBeside(v, [this](int w) { return isBorder(w); });
+			if (label < 0) continue;
+			label_[std::size_t(v)] = label;
+			++changes;
+		}
+		return changes;
+	}
+
+	bool meetsInside(int v) const
+	{
+		bool meets = false;
+		forEachNeighbour(m_, v, [&](int w) { meets = meets || isInside(w); });
+		return meets;
+	}
+
 	/// A border label that appears twice round v with other labels between, or -1.
 	int metTwice(int v)
 	{
 		ring_.clear();
-		bool isNearBeyond = false;
-		forEachNeighbour(m_, v, [&](int w) {
-			isNearBeyond = isNearBeyond || !(isInside(w) || isBorder(w));
-			ring_.push_back(isBorder(w) ? labelOf(w) : -1);
-		});
-		if (isNearBeyond) return -1;
+		forEachNeighbour(m_, v, [&](int w) { ring_.push_back(isBorder(w) ? labelOf(w) : -1); });
 		const std::size_t num   = ring_.size();
 		const bool        isFan = m_.isBorderVertex(v);
 		for (std::size_t i = 0; i < num; ++i) {

@@ -16,8 +16,9 @@ enum class PatchRole : char { Far, Near, Border, Inside };
 
 /// Prepares the cells at the border of a patch for merging each cell into a vertex. A piece apart
 /// from the largest piece of its cell goes to a neighbour. Inner vertices that meet a cell twice,
-/// and inner pieces enclosed by one or two cells, go to such a cell. label: per vertex of the mesh;
-/// role: per label. Cost: some passes over the mesh, serial.
+/// and inner pieces enclosed by one or two cells, go to such a cell. Vertices beyond the border
+/// that meet inner vertices go to a cell beside. label: per vertex of the mesh; role: per label.
+/// Cost: some passes over the mesh, serial.
 void cleanLabels(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
 				 std::vector<int>& label, Workers& workers);
 
