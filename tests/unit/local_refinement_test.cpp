@@ -13,6 +13,7 @@
 #include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -80,6 +81,22 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	EXPECT_LT(added, before) << "only near the tent";
 	EXPECT_TRUE(findTouchingPairs(on.result.mesh, on.workers).empty());
 	EXPECT_TRUE(isSoundTable(on.result.mesh));
+}
+
+TEST(LocalRefinement, PutsAVertexAtAFarPoint)
+{
+	Laid           on(tent(100), grid(12, 12));
+	const double   limit  = 0.2 * height * on.surface.frame.scale;
+	const auto     points = pointsBeyond(on, limit);
+	const FarPoint tipFound =
+		*std::max_element(points.begin(), points.end(), [](const FarPoint& a, const FarPoint& b) {
+			return a.isOfSurface * a.distance < b.isOfSurface * b.distance;
+		});
+	refineAt(on.surface, on.boundary, {tipFound}, settingsFor(limit), on.result, on.workers);
+	float nearest = HUGE_VALF;
+	for (int v = 0; v < on.result.mesh.vertexNum; ++v)
+		nearest = std::min(nearest, length(on.result.mesh.position[v] - tipFound.position));
+	EXPECT_LT(nearest, 0.05f * tipFound.distance) << tipFound.distance;
 }
 
 TEST(LocalRefinement, LeavesAllElseAsItWas)
