@@ -129,6 +129,21 @@ TEST(ReleaseLines, LeavesPinnedVerticesOnTheirLine)
 	EXPECT_EQ(on.m().creaseNum(pinned), 2);
 }
 
+/// A plate as thin as a tenth of an edge would be rounded off without the lines of its rim. Only
+/// the four upright edges at its corners are released.
+TEST(ReleaseLines, LeavesTheLinesOfAThinWall)
+{
+	OnSurface     on(box(cells, cells, 1, Vec3d(1, 1, 0.1 / cells)));
+	HalfEdgeMesh& m = on.m();
+	m.crease        = Buffer<char>(m.halfEdgeNum(), 0);
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		m.crease[h] = dot(m.faceNormal(h / 3), m.faceNormal(m.opposite[h] / 3)) < 0.5f;
+	const auto marks = markNum(on);
+	ASSERT_EQ(marks, 2 * (8 * cells + 4));
+	releaseLines(angleDeg, on.result, on.workers);
+	EXPECT_EQ(markNum(on), marks - 2 * 4);
+}
+
 TEST(ReleaseLines, FreesCorners)
 {
 	Stripes    on(2);
