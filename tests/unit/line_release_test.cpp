@@ -114,11 +114,11 @@ TEST(ReleaseLines, LeavesBordersAlone)
 /// freely.
 TEST(ReleaseLines, LeavesPinnedVerticesOnTheirLine)
 {
-	Stripes free(2), on(2);
-	ASSERT_GT(releaseLines(angleDeg, free.result, free.workers), 0);
+	Stripes unpinned(2), on(2);
+	ASSERT_GT(releaseLines(angleDeg, unpinned.result, unpinned.workers), 0);
 	std::vector<int> released;
 	for (int v : onLines(on)) {
-		if (free.result.vertex[v].curve < 0) released.push_back(v);
+		if (unpinned.result.vertex[v].curve < 0) released.push_back(v);
 	}
 	const int pinned = released[released.size() / 2];
 
@@ -133,7 +133,7 @@ TEST(ReleaseLines, LeavesPinnedVerticesOnTheirLine)
 /// the four upright edges at its corners are released.
 TEST(ReleaseLines, LeavesTheLinesOfAThinWall)
 {
-	OnSurface     on(box(cells, cells, 1, Vec3d(1, 1, 0.1 / cells)));
+	OnSurface     on(thinPlate(cells, 0.1 / cells));
 	HalfEdgeMesh& m = on.m();
 	m.crease        = Buffer<char>(m.halfEdgeNum(), 0);
 	for (int h = 0; h < m.halfEdgeNum(); ++h)

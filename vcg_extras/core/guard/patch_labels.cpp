@@ -195,13 +195,13 @@ private:
 		return euler;
 	}
 
-	/// Gives inner vertices that meet a cell more than once to this cell.
-	int joinNotches()
+	/// Gives each vertex the label that `find` returns for the vertex, if any.
+	template <class Find>
+	int relabel(const Find& find)
 	{
 		int changes = 0;
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (m_.outgoing[v] < 0 || !isInside(v)) continue;
-			const int label = metTwice(v);
+			const int label = m_.outgoing[v] < 0 ? -1 : find(v);
 			if (label < 0) continue;
 			label_[std::size_t(v)] = label;
 			++changes;
@@ -209,18 +209,19 @@ private:
 		return changes;
 	}
 
+	/// Gives inner vertices that meet a cell more than once to this cell.
+	int joinNotches()
+	{
+		return relabel([this](int v) { return isInside(v) ? metTwice(v) : -1; });
+	}
+
 	/// Gives vertices beyond the border that meet inner vertices to a cell beside.
 	int closeGaps()
 	{
-		int changes = 0;
-		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (m_.outgoing[v] < 0 || isInside(v) || isBorder(v) || !meetsInside(v)) continue;
-			const int label = labelBeside(v, [this](int w) { return isBorder(w); });
-			if (label < 0) continue;
-			label_[std::size_t(v)] = label;
-			++changes;
-		}
-		return changes;
+		return relabel([this](int v) {
+			const bool isGap = !isInside(v) && !isBorder(v) && meetsInside(v);
+			return isGap ? labelBeside(v, [this](int w) { return isBorder(w); }) : -1;
+		});
 	}
 
 	bool meetsInside(int v) const
