@@ -107,6 +107,16 @@ std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int st
 	return arcs;
 }
 
+/// Largest distance of the curve's points between arcs a and b from the chord from p to q.
+float deviationBetween(const Curve& c, float a, float b, const Vec3f& p, const Vec3f& q)
+{
+	float worst = 0;
+	forEachPointBetween(c, a, b, [&](const Vec3f& point, float) {
+		worst = std::max(worst, distanceToSegment(point, p, q));
+	});
+	return worst;
+}
+
 /// deviation() over the wanted size there.
 float relativeDeviation(const Curve& c, float a, float b)
 {
@@ -178,20 +188,26 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 	cost[0] = 0;
 	for (int i = 1; i < n; ++i) {
 		for (int k = i - 1; k >= 0; --k) {
+			const Place &p = place[k], &q = place[i];
 			// A chord is never longer than its arc; beyond this arc length no chord is worth a
 			// look.
-			const float size = std::max(place[i].size, place[k].size);
+			const float size = std::max(q.size, p.size);
 			if (arcs[i] - arcs[k] > 3 * longest * d * size && before[i] >= 0) break;
-			const float chord = relativeChord(place[k], place[i]) / d;
+			const float chord = relativeChord(p, q) / d;
 			const bool  isEnd = i == n - 1 || k == 0;
 			if (chord > longest && before[i] >= 0) continue;
 			if (chord < shortest && !isEnd) continue;
-			const float excess =
-				relativeDeviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
-			const double here = double(chord - 1) * (chord - 1) +
-								(excess > 0 ? excessWeight * double(excess) * excess : 0.0);
-			if (cost[k] + here < cost[i]) {
-				cost[i]   = cost[k] + here;
+			const double byLength = double(chord - 1) * (chord - 1);
+			// Fast since most chords lose by their length alone: only the others are measured
+			// against all points of the curve.
+			if (!(cost[k] + byLength < cost[i])) continue;
+			const float away = deviationBetween(c, arcs[k], arcs[i], p.position, q.position) /
+							   (0.5f * (p.size + q.size));
+			const float  excess = away / (spacing.tolerance * d) - 1;
+			const double total =
+				cost[k] + (byLength + (excess > 0 ? excessWeight * double(excess) * excess : 0.0));
+			if (total < cost[i]) {
+				cost[i]   = total;
 				before[i] = k;
 			}
 		}
@@ -240,12 +256,7 @@ float Curve::smallestSize() const
 
 float deviation(const Curve& c, float a, float b)
 {
-	const Vec3f p = c.at(a), q = c.at(b);
-	float       worst = 0;
-	forEachPointBetween(c, a, b, [&](const Vec3f& point, float) {
-		worst = std::max(worst, distanceToSegment(point, p, q));
-	});
-	return worst;
+	return deviationBetween(c, a, b, c.at(a), c.at(b));
 }
 
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
