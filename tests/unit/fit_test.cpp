@@ -349,6 +349,32 @@ TEST(Fit, LetsNoFaceLookAwayFromTheSurface)
 	EXPECT_EQ(away, 0);
 }
 
+/// The smooth normal of a vertex changes as its record follows the vertex: a face that was right at
+/// the old records can be inverted at the new ones.
+TEST(Fit, LeavesNoMovedFaceInvertedAtItsNewRecords)
+{
+	for (std::uint32_t seed : testSeeds(4)) {
+		Random                   random(seed);
+		const TriangleMesh       fine = noisySphere(6, 0.06, random);
+		Laid                     laid(fine, noisySphere(4, 0.06, random));
+		const HalfEdgeMesh&      m      = laid.result.mesh;
+		const std::vector<Vec3f> before = positionsOf(m);
+		laid.fit(0, 0);
+		const auto hasMoved = [&](int f) {
+			return std::any_of(&m.origin[3 * f], &m.origin[3 * f] + 3,
+							   [&](int v) { return !(m.position[v] == before[v]); });
+		};
+		const Buffer<Vec3f> normal = smoothNormals(laid.surface, laid.result, laid.workers);
+		int                 moved  = 0;
+		for (int f = 0; f < m.faceNum; ++f) {
+			if (!hasMoved(f)) continue;
+			++moved;
+			EXPECT_GE(normalAgreement(m, normal, f), 0) << "face " << f << ", seed " << seed;
+		}
+		EXPECT_GT(moved, m.faceNum / 2);
+	}
+}
+
 TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
 {
 	const Laid start(squareFrame(60, 20), squareFrame(15, 5));

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace gpr::test {
 
@@ -113,6 +114,63 @@ TEST_P(ReachExactCount, HitsAnyNumberOnAnySurface)
 
 INSTANTIATE_TEST_SUITE_P(Percent, ReachExactCount,
 						 ::testing::Values(30, 60, 95, 100, 103, 150, 250));
+
+/// No vertex of the border may go, but border edges may be split.
+void keepBorderVertices(OnSurface& on)
+{
+	for (ResultVertex& v : on.result.vertex)
+		v.isPinned = v.curve >= 0;
+}
+
+/// An inner vertex changes the number of faces by two, so only the border can make the number odd.
+TEST(ReachExactCount, GetsAnOddNumberOfFacesByTheBorder)
+{
+	OnSurface on(grid(20, 20));
+	keepBorderVertices(on);
+	const int wanted = on.m().faceNum - 99;
+	EXPECT_TRUE(reachExactCount(on.surface, on.boundary, {0, wanted}, on.result, on.workers));
+	EXPECT_EQ(on.m().faceNum, wanted);
+	on.expectSound();
+}
+
+/// Moves a sheet so that its left side lies on the mirror plane: the sheet is half of a mesh then.
+void putOnMirror(OnSurface& on)
+{
+	float left = 0;
+	for (int v = 0; v < on.m().vertexNum; ++v)
+		left = std::min(left, on.m().position[v].x);
+	const auto shift = [&](Vec3f& p) { p.x -= left; };
+	for (int v = 0; v < on.surface.mesh.vertexNum; ++v)
+		shift(on.surface.mesh.position[v]);
+	for (int v = 0; v < on.m().vertexNum; ++v) {
+		shift(on.m().position[v]);
+		shift(on.result.vertex[v].point.position);
+	}
+	for (Curve& curve : on.boundary.curves)
+		std::for_each(curve.point.begin(), curve.point.end(), shift);
+	on.surface.mesh.mirrorAxis = on.m().mirrorAxis = 0;
+}
+
+/// Of both halves.
+int wholeVertexNum(const HalfEdgeMesh& m)
+{
+	return std::accumulate(&m.position[0], &m.position[0] + m.vertexNum, 0,
+						   [&](int sum, const Vec3f& p) { return sum + m.multiplicity(p); });
+}
+
+/// A vertex off the mirror plane counts twice, so only a vertex on the plane can make the number of
+/// the whole mesh odd or even.
+TEST(ReachExactCount, GetsAnyNumberOfVerticesByTheMirrorPlane)
+{
+	OnSurface on(grid(20, 20));
+	keepBorderVertices(on);
+	putOnMirror(on);
+	ASSERT_EQ(wholeVertexNum(on.m()), 2 * 20 * 21 + 21);
+	const int wanted = wholeVertexNum(on.m()) - 101;
+	EXPECT_TRUE(reachExactCount(on.surface, on.boundary, {wanted}, on.result, on.workers));
+	EXPECT_EQ(wholeVertexNum(on.m()), wanted);
+	on.expectSound();
+}
 
 TEST(ReachExactCountTells, WhenTheTopologyDoesNotAllowIt)
 {
