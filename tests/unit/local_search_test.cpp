@@ -449,7 +449,7 @@ TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
 		HalfEdgeMesh&    m = on.m();
 		std::vector<int> ring{m.origin[h]};
 		forEachNeighbour(m, m.origin[h], [&](int w) { ring.push_back(w); });
-		const PatchBackup backup(m, ring);
+		const PatchBackup backup(m, ring, facesRound(m, ring));
 		if (canCollapse(m, h, scratch)) {
 			collapse(m, h);
 			++changes;

@@ -240,27 +240,6 @@ TEST(MeshEdit, RemovalNeverDoublesAnEdge)
 		EXPECT_FALSE(removeByFan(m, v, 0, scratch)) << "nothing smaller is closed";
 }
 
-TEST(MeshEdit, RemovalRefusesWhatIsNoTriangulationOfTheRing)
-{
-	const HalfEdgeMesh m = halfEdgesOf(grid(2, 2));
-	EditScratch        scratch;
-	VertexStar         star;
-	collectStar(m, 4, star);
-	const HolePatch good = fanPatch(8, 3);
-	ASSERT_TRUE(canRemoveVertex(m, star, good, scratch));
-	EXPECT_FALSE(canRemoveVertex(m, star, fanPatch(7, 3), scratch)) << "a place is left out";
-	EXPECT_FALSE(canRemoveVertex(m, star, HolePatch(), scratch));
-	for (std::size_t x = 0; x < good.corner.size(); ++x) {
-		HolePatch wrongCorner = good, wrongAcross = good, outOfRange = good;
-		wrongCorner.corner[x] = (good.corner[x] + 1) % 8;
-		wrongAcross.across[x] = good.across[x] >= 0 ? -1 : 0;
-		outOfRange.across[x]  = 99;
-		EXPECT_FALSE(canRemoveVertex(m, star, wrongCorner, scratch)) << x;
-		EXPECT_FALSE(canRemoveVertex(m, star, wrongAcross, scratch)) << x;
-		EXPECT_FALSE(canRemoveVertex(m, star, outOfRange, scratch)) << x;
-	}
-}
-
 /// A single triangle is nothing but border; a loop of three keeps its vertices.
 TEST(MeshEdit, RemovalKeepsTheLastFaceAndLoopsOfThree)
 {

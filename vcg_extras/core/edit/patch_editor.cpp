@@ -293,7 +293,7 @@ bool PatchEditor::collapseInside(int h)
 
 PatchEditor::Snapshot PatchEditor::remember(const std::vector<int>& patch) const
 {
-	return snapshotOf(PatchBackup(m_, patch));
+	return snapshotOf(PatchBackup(m_, patch, facesRound(m_, patch)));
 }
 
 PatchEditor::Snapshot PatchEditor::rememberFlip(int h) const

@@ -17,23 +17,35 @@ void join(HalfEdgeMesh& m, int g, int h)
 	if (h >= 0) m.opposite[h] = g;
 }
 
-/// After join(g, h): the merged edge is on a feature line if g or h was.
-void mergeMarks(HalfEdgeMesh& m, int g, int h)
-{
-	if (!m.hasCreases() || g < 0 || h < 0) return;
-	m.crease[g] = m.crease[h] = char(m.crease[g] | m.crease[h]);
-}
-
-void joinMerged(HalfEdgeMesh& m, int g, int h)
-{
-	join(m, g, h);
-	mergeMarks(m, g, h);
-}
-
 /// Copies the mark of half-edge `from` to `to`; no mark if from < 0.
 void moveMark(HalfEdgeMesh& m, int to, int from)
 {
 	if (m.hasCreases()) m.crease[to] = from < 0 ? char(0) : m.crease[from];
+}
+
+/// Puts half-edge `to` in the place of `from`, which has the same origin: `to` gets the opposite
+/// and the mark.
+void takePlace(HalfEdgeMesh& m, int to, int from)
+{
+	join(m, to, m.opposite[from]);
+	moveMark(m, to, from);
+	moveMark(m, from, -1);
+	const int v = m.origin[to];
+	if (m.outgoing[v] == from) m.outgoing[v] = to;
+}
+
+/// Appends a face without opposites and marks. Returns its first half-edge.
+int appendFace(HalfEdgeMesh& m, int a, int b, int c)
+{
+	const int h     = 3 * m.faceNum++;
+	m.origin[h]     = a;
+	m.origin[h + 1] = b;
+	m.origin[h + 2] = c;
+	for (int k = h; k < h + 3; ++k) {
+		m.opposite[k] = -1;
+		moveMark(m, k, -1);
+	}
+	return h;
 }
 
 /// Whether the two other edges in the face of h can merge: not if both are on curves.
@@ -75,26 +87,16 @@ void killFace(HalfEdgeMesh& m, int f)
 	m.origin[3 * f] = m.origin[3 * f + 1] = m.origin[3 * f + 2] = -1;
 }
 
-/// Whether every edge of the patch's triangles is an edge of the ring, used once, or a diagonal of
-/// two triangles. With two triangles fewer than places the patch is then a disk.
-bool isTriangulation(const HolePatch& patch, int placeNum, EditScratch& scratch)
+/// Kills the face of h. Its two other edges become one edge, on a feature line if either was.
+void closeFace(HalfEdgeMesh& m, int h)
 {
-	if (patch.triangleNum() != placeNum - 2 || patch.across.size() != patch.corner.size())
-		return false;
-	scratch.count.assign(placeNum, 0);
-	for (int x = 0; x < int(patch.corner.size()); ++x) {
-		const int from = patch.corner[x], to = patch.corner[nextInFace(x)];
-		const int y = patch.across[x];
-		if (y >= int(patch.corner.size()) || y < -placeNum) return false;
-		if (y < 0) {
-			if (from != -1 - y || to != (from + 1) % placeNum) return false;
-			if (++scratch.count[from] > 1) return false;
-			continue;
-		}
-		if (patch.across[y] != x || patch.corner[y] != to || patch.corner[nextInFace(y)] != from)
-			return false;
-	}
-	return true;
+	const int apex = m.apex(h);
+	const int g = m.opposite[nextInFace(h)], k = m.opposite[prevInFace(h)];
+	join(m, g, k);
+	if (m.hasCreases() && g >= 0 && k >= 0)
+		m.crease[g] = m.crease[k] = char(m.crease[g] | m.crease[k]);
+	if (m.outgoing[apex] == prevInFace(h)) m.outgoing[apex] = g >= 0 ? g : nextInFace(k);
+	killFace(m, h / 3);
 }
 
 /// Whether an inner edge between a and b would have a mirror image with the same ends.
@@ -145,18 +147,8 @@ void removeEar(HalfEdgeMesh& m, const VertexStar& star)
 
 void renameOrigin(HalfEdgeMesh& m, int from, int to)
 {
-	const int first = m.outgoing[from];
-	int       h     = first;
-	do {
-		const int next = m.opposite[prevInFace(h)];
-		m.origin[h]    = to;
-		h              = next;
-	} while (h >= 0 && h != first);
+	forEachOutgoing(m, from, [&](int h) { m.origin[h] = to; });
 }
-
-} // namespace
-
-namespace {
 
 /// Whether merging inner vertex origin[h], with this ring, into target(h) makes no inner edge its
 /// own mirror image. Edges from target(h) to the ring's c and d exist before.
@@ -222,20 +214,15 @@ bool canCollapseAlongCrease(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 void collapse(HalfEdgeMesh& m, int h)
 {
 	const int g = m.opposite[h];
-	const int a = m.origin[h], b = m.target(h), c = m.apex(h), d = m.apex(g);
-	renameOrigin(m, a, b);
+	const int a = m.origin[h], b = m.target(h);
 	const int t1 = m.opposite[nextInFace(h)], t2 = m.opposite[prevInFace(h)];
-	const int t3 = m.opposite[nextInFace(g)], t4 = m.opposite[prevInFace(g)];
-	joinMerged(m, t1, t2);
-	joinMerged(m, t3, t4);
+	renameOrigin(m, a, b);
+	closeFace(m, h);
+	closeFace(m, g);
 	// a was inside, so t2 and t3 exist; t1 or t4 is missing if b's border runs along the faces.
 	const bool keepsBorder = t1 >= 0 && m.isBorderVertex(b);
 	if (!keepsBorder) m.outgoing[b] = t2;
-	if (m.outgoing[c] == prevInFace(h)) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
-	if (m.outgoing[d] == prevInFace(g)) m.outgoing[d] = t3;
 	m.outgoing[a] = -1;
-	killFace(m, h / 3);
-	killFace(m, g / 3);
 }
 
 int borderNeighbour(const HalfEdgeMesh& m, int v, bool forward)
@@ -258,25 +245,15 @@ bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScra
 ///  forward:  v --h-> b (border), face (v, b, c)      backward:  b --h-> v (border), face (b, v, c)
 void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward)
 {
-	const int border = m.outgoing[v];
-	const int h      = forward ? border : m.incomingBorder(v);
+	const int h      = forward ? m.outgoing[v] : m.incomingBorder(v);
 	const int b      = forward ? m.target(h) : m.origin[h];
-	const int c      = m.apex(h);
+	const int beyond = m.opposite[prevInFace(h)];
+	// b keeps its border half-edge or takes the one of v, outside the dead face.
+	const int border = m.outgoing[forward ? b : v];
 	renameOrigin(m, v, b);
-	const int inner1 = nextInFace(h), inner2 = prevInFace(h);
-	const int t1 = m.opposite[inner1], t2 = m.opposite[inner2];
-	joinMerged(m, t1, t2);
-	if (forward) {
-		// b keeps its border half-edge outside the dead face.
-		if (m.outgoing[b] == inner1) m.outgoing[b] = t2;
-	}
-	else {
-		// b takes the border half-edge of v outside the dead face.
-		m.outgoing[b] = border == inner1 ? t2 : border;
-	}
-	if (m.outgoing[c] == inner2) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
+	closeFace(m, h);
+	m.outgoing[b] = border == nextInFace(h) ? beyond : border;
 	m.outgoing[v] = -1;
-	killFace(m, h / 3);
 }
 
 bool canFlip(const HalfEdgeMesh& m, int h)
@@ -291,84 +268,45 @@ bool canFlip(const HalfEdgeMesh& m, int h)
 void flip(HalfEdgeMesh& m, int h)
 {
 	const int g  = m.opposite[h];
-	const int hn = nextInFace(h), hp = prevInFace(h), gn = nextInFace(g), gp = prevInFace(g);
-	const int a = m.origin[h], b = m.origin[hn], c = m.origin[hp], d = m.origin[gp];
-	const int acrossBC = m.opposite[hn], acrossAD = m.opposite[gn];
+	const int hn = nextInFace(h), gn = nextInFace(g);
+	const int c = m.apex(h), d = m.apex(g);
 	// Faces (a, b, c), (b, a, d) become (a, d, c), (b, c, d).
+	takePlace(m, h, gn);
+	takePlace(m, g, hn);
 	m.origin[hn] = d;
-	m.origin[g]  = b;
 	m.origin[gn] = c;
-	m.origin[gp] = d;
-	moveMark(m, h, gn);
-	moveMark(m, g, hn);
-	moveMark(m, hn, -1);
-	moveMark(m, gn, -1);
-	join(m, h, acrossAD);
-	join(m, g, acrossBC);
 	join(m, hn, gn);
-	if (m.outgoing[a] == gn) m.outgoing[a] = h;
-	if (m.outgoing[b] == hn) m.outgoing[b] = g;
 }
 
 void splitEdge(HalfEdgeMesh& m, int h, int v)
 {
 	const int g  = m.opposite[h];
-	const int hn = nextInFace(h), hp = prevInFace(h), gp = prevInFace(g);
-	const int b = m.origin[hn], c = m.origin[hp], d = m.origin[gp];
-	const int acrossBC = m.opposite[hn], acrossDB = m.opposite[gp];
-	const int e = 3 * m.faceNum, k = 3 * (m.faceNum + 1);
-	m.faceNum += 2;
-	m.opposite[e + 1] = m.opposite[k + 2] = -1;
+	const int hn = nextInFace(h), gp = prevInFace(g);
+	const int b = m.target(h);
 	// (a, b, c), (b, a, d) become (a, v, c), (v, a, d); new are (v, b, c), (b, v, d).
-	m.origin[hn]    = v;
-	m.origin[g]     = v;
-	m.origin[e]     = v;
-	m.origin[e + 1] = b;
-	m.origin[e + 2] = c;
-	m.origin[k]     = b;
-	m.origin[k + 1] = v;
-	m.origin[k + 2] = d;
+	const int e = appendFace(m, v, b, m.apex(h)), k = appendFace(m, b, v, m.apex(g));
+	takePlace(m, e + 1, hn);
+	takePlace(m, k + 2, gp);
 	moveMark(m, e, h);
-	moveMark(m, e + 1, hn);
-	moveMark(m, e + 2, -1);
 	moveMark(m, k, h);
-	moveMark(m, k + 1, -1);
-	moveMark(m, k + 2, gp);
-	moveMark(m, hn, -1);
-	moveMark(m, gp, -1);
+	m.origin[hn] = v;
+	m.origin[g]  = v;
 	join(m, hn, e + 2);
-	join(m, e + 1, acrossBC);
 	join(m, e, k);
 	join(m, gp, k + 1);
-	join(m, k + 2, acrossDB);
 	m.outgoing[v] = hn;
-	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
 	if (m.outgoing[b] == g) m.outgoing[b] = k;
-	if (m.outgoing[d] == gp) m.outgoing[d] = k + 2;
 }
 
 void splitBorderEdge(HalfEdgeMesh& m, int h, int v)
 {
-	const int hn = nextInFace(h), hp = prevInFace(h);
-	const int b = m.origin[hn], c = m.origin[hp];
-	const int acrossBC = m.opposite[hn];
-	const int e        = 3 * m.faceNum;
-	m.faceNum += 1;
+	const int hn = nextInFace(h);
 	// (a, b, c) becomes (a, v, c); new is (v, b, c).
-	m.origin[hn]      = v;
-	m.origin[e]       = v;
-	m.origin[e + 1]   = b;
-	m.origin[e + 2]   = c;
-	m.opposite[e]     = -1;
-	m.opposite[e + 1] = -1;
-	moveMark(m, e, -1);
-	moveMark(m, e + 1, hn);
-	moveMark(m, e + 2, -1);
-	moveMark(m, hn, -1);
+	const int e = appendFace(m, v, m.target(h), m.apex(h));
+	takePlace(m, e + 1, hn);
+	m.origin[hn] = v;
 	join(m, hn, e + 2);
-	join(m, e + 1, acrossBC);
 	m.outgoing[v] = e;
-	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
 }
 
 ///        c                  c
@@ -379,48 +317,23 @@ void splitFace(HalfEdgeMesh& m, int f, int v)
 {
 	const int ab = 3 * f, bc = ab + 1, ca = ab + 2;
 	const int a = m.origin[ab], b = m.origin[bc], c = m.origin[ca];
-	const int e = 3 * m.faceNum, k = 3 * (m.faceNum + 1);
-	m.faceNum += 2;
-	m.origin[ca]    = v;
-	m.origin[e]     = b;
-	m.origin[e + 1] = c;
-	m.origin[e + 2] = v;
-	m.origin[k]     = c;
-	m.origin[k + 1] = a;
-	m.origin[k + 2] = v;
-	m.opposite[e] = m.opposite[k] = -1;
-	moveMark(m, e, bc);
-	moveMark(m, k, ca);
-	for (int inner : {bc, ca, e + 1, e + 2, k + 1, k + 2})
-		moveMark(m, inner, -1);
-	join(m, e, m.opposite[bc]);
-	join(m, k, m.opposite[ca]);
+	const int e = appendFace(m, b, c, v), k = appendFace(m, c, a, v);
+	takePlace(m, e, bc);
+	takePlace(m, k, ca);
+	m.origin[ca] = v;
 	join(m, bc, e + 2);
 	join(m, e + 1, k + 2);
 	join(m, k + 1, ca);
 	m.outgoing[v] = ca;
-	if (m.outgoing[b] == bc) m.outgoing[b] = e;
-	if (m.outgoing[c] == ca) m.outgoing[c] = k;
 }
 
 void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star)
 {
 	star.vertex   = v;
-	star.isClosed = true;
-	star.ring.clear();
+	star.isClosed = !m.isBorderVertex(v);
+	collectNeighbours(m, v, star.ring);
 	star.spoke.clear();
-	const int first = m.outgoing[v];
-	int       h     = first;
-	do {
-		star.spoke.push_back(h);
-		star.ring.push_back(m.target(h));
-		const int in = prevInFace(h);
-		h            = m.opposite[in];
-		if (h < 0) {
-			star.isClosed = false;
-			star.ring.push_back(m.origin[in]);
-		}
-	} while (h >= 0 && h != first);
+	forEachOutgoing(m, v, [&](int h) { star.spoke.push_back(h); });
 }
 
 namespace {
@@ -443,12 +356,10 @@ bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 	const int n = star.placeNum();
 	if (m.isCreaseVertex(star.vertex) || !mirrorAllowsRemoval(m, star)) return false;
 	if (n < 3) {
-		return !star.isClosed && patch.corner.empty() &&
-			   !m.isCurveEdge(nextInFace(star.spoke[0])) && canLoseFace(m, star.ring[0]) &&
-			   canLoseFace(m, star.ring[1]);
+		return !star.isClosed && !m.isCurveEdge(nextInFace(star.spoke[0])) &&
+			   canLoseFace(m, star.ring[0]) && canLoseFace(m, star.ring[1]);
 	}
-	return isTriangulation(patch, n, scratch) && hasNewEdgesOnly(m, star, patch) &&
-		   leavesEnoughFaces(m, star, patch, scratch);
+	return hasNewEdgesOnly(m, star, patch) && leavesEnoughFaces(m, star, patch, scratch);
 }
 
 void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
@@ -483,11 +394,6 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 	for (std::size_t i = std::size_t(patch.triangleNum()); i < star.spoke.size(); ++i)
 		killFace(m, star.spoke[i] / 3);
 	m.outgoing[star.vertex] = -1;
-}
-
-PatchBackup::PatchBackup(const HalfEdgeMesh& m, const std::vector<int>& vertices) :
-		PatchBackup(m, vertices, facesRound(m, vertices))
-{
 }
 
 PatchBackup::PatchBackup(const HalfEdgeMesh& m, std::vector<int> vertices, std::vector<int> faces) :
@@ -554,16 +460,6 @@ bool hasRoom(const HalfEdgeMesh& m)
 		   m.origin.size() > std::size_t(m.halfEdgeNum());
 }
 
-/// Allocates room for exactly the vertices and faces of the mesh.
-void reserveExactly(HalfEdgeMesh& m, bool withCreases)
-{
-	m.position.reset(m.vertexNum);
-	m.outgoing.reset(m.vertexNum);
-	m.origin.reset(m.halfEdgeNum());
-	m.opposite.reset(m.halfEdgeNum());
-	if (withCreases) m.crease.reset(m.halfEdgeNum());
-}
-
 } // namespace
 
 void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
@@ -577,7 +473,8 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 		m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
 	to.meetsAtPlaces = m.meetsAtPlaces;
-	reserveExactly(to, m.hasCreases());
+	reserve(to, to.vertexNum, to.faceNum);
+	if (m.hasCreases()) to.crease.reset(to.halfEdgeNum());
 	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };
 	workers.forEach(m.vertexNum, [&](int v) {
 		const int n = newIndex[v];

@@ -89,9 +89,9 @@ struct HolePatch {
 	int triangleNum() const { return int(corner.size()) / 3; }
 };
 
-/// Whether the patch may replace the star. The patch must triangulate the ring as a polygon without
-/// inner points; no diagonal may be an edge of the mesh already; every vertex must keep enough
-/// faces. Never for vertices of feature lines. Cost: a walk round a vertex per diagonal.
+/// Whether the patch, a triangulation of the ring, may replace the star: no diagonal may be an edge
+/// of the mesh already, and every vertex must keep enough faces. Never for vertices of feature
+/// lines. Cost: a walk round a vertex per diagonal.
 bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 					 EditScratch& scratch);
 
@@ -100,13 +100,11 @@ bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 				  EditScratch& scratch);
 
-/// A copy of the faces at some vertices, which can undo changes. Changes must not write to other
-/// faces: `vertices` must include all corners of flipped, split or collapsed faces, and of the
-/// faces beyond the two faces of a collapse.
+/// A copy of some vertices and faces, which can undo changes. Changes must not write to others: to
+/// undo flips, splits and collapses, `vertices` must include all corners of the changed faces, and
+/// of the faces beyond the two faces of a collapse, and `faces` all faces at these vertices.
 class PatchBackup {
 public:
-	PatchBackup(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
-	/// Copies these vertices and faces only.
 	PatchBackup(const HalfEdgeMesh& mesh, std::vector<int> vertices, std::vector<int> faces);
 
 	const std::vector<int>& vertices() const { return vertex_; }
