@@ -66,12 +66,8 @@ private:
 
 Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sum<Box<float>>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Box<float> part;
-		for (std::size_t v = begin; v < end; ++v) {
-			if (m.outgoing[v] >= 0) part.add(m.position[v]);
-		}
-		return part;
+	return workers.sumEach<Box<float>>(m.vertexNum, [&](int v, Box<float>& part) {
+		if (m.outgoing[v] >= 0) part.add(m.position[v]);
 	});
 }
 
@@ -129,17 +125,7 @@ Box<float> boxOfFaces(const HalfEdgeMesh& m, const std::vector<int>& faces)
 	return all;
 }
 
-FaceBoxes::FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers)
-{
-	build(mesh, {}, workers);
-}
-
-FaceBoxes::FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers)
-{
-	build(mesh, wanted, workers);
-}
-
-void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
+FaceBoxes::FaceBoxes(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
 {
 	const MortonGrid   grid   = gridOver(boxOfAll(m, workers));
 	const Buffer<char> counts = findCounting(m, grid, wanted, workers);
@@ -152,7 +138,7 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 	level_.emplace_back(face_.size());
 	workers.forEach(face_.size(), [&](int i) { level_[0][i] = boxOfFace(m, face_[i]); });
 	constexpr std::size_t minLevels = 3; // FacePairs needs this many for groups of faces
-	while (level_.size() < minLevels || level_.back().size() > fanOut)
+	while (level_.size() < minLevels || level_.back().size() > 1)
 		addLevel(workers);
 }
 
@@ -180,26 +166,11 @@ void FaceBoxes::grow(int i, const Box<float>& box)
 
 std::vector<int> FaceBoxes::meeting(const Box<float>& box) const
 {
-	struct Node {
-		int level, index;
-	};
-	std::vector<Node> stack;
-	std::vector<int>  found;
-	const int         top = levelNum() - 1;
-	for (int k = 0; k < int(level_[top].size()); ++k)
-		stack.push_back({top, k});
-	while (!stack.empty()) {
-		const Node n = stack.back();
-		stack.pop_back();
-		if (!level_[n.level][n.index].meets(box)) continue;
-		if (n.level == 0) {
-			found.push_back(face_[n.index]);
-			continue;
-		}
-		const int end = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
-		for (int k = n.index * fanOut; k < end; ++k)
-			stack.push_back({n.level - 1, k});
-	}
+	std::vector<int> found;
+	forEachMeeting(box, [&](int place) {
+		found.push_back(face_[place]);
+		return true;
+	});
 	std::sort(found.begin(), found.end());
 	return found;
 }

@@ -27,8 +27,8 @@ public:
 	static constexpr int fanOut = 4;
 
 	/// Takes all living faces. Cost: linear, parallel.
-	FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers);
-	/// Takes only faces that may meet a wanted face (a mark of 1 per face).
+	FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers) : FaceBoxes(mesh, {}, workers) {}
+	/// Takes only faces that may meet a wanted face (a mark of 1 per face; empty: all are wanted).
 	FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 
 	/// Faces whose boxes met `box` at the time of building; ascending. Cost: O(log F) a face.
@@ -39,10 +39,16 @@ public:
 	template <class Visit>
 	bool forEachMeeting(const Box<float>& box, const Visit& visit) const
 	{
-		for (int k = 0; k < int(level_.back().size()); ++k) {
-			if (!visitBelow(levelNum() - 1, k, box, visit)) return false;
-		}
-		return true;
+		const auto meetsBox = [&](int level, int i) { return level_[level][i].meets(box); };
+		return forEachNode(0, meetsBox, visit);
+	}
+
+	/// Calls visit(i) for the nodes i of a level that pass a test, as all nodes above them do,
+	/// until visit returns false. test(level, i): of node i of a level.
+	template <class Test, class Visit>
+	bool forEachNode(int level, const Test& test, const Visit& visit) const
+	{
+		return face_.empty() || visitFrom(int(level_.size()) - 1, 0, level, test, visit);
 	}
 
 	/// Enlarges the box of the face at place i, and all boxes above.
@@ -50,24 +56,22 @@ public:
 
 	int                       faceNum() const { return int(face_.size()); }
 	int                       face(int i) const { return face_[i]; }
-	int                       levelNum() const { return int(level_.size()); }
 	const Buffer<Box<float>>& level(int l) const { return level_[l]; }
 
 private:
 	Buffer<int>                     face_;
-	std::vector<Buffer<Box<float>>> level_; ///< level 0 has the box of each face in face_
+	std::vector<Buffer<Box<float>>> level_; ///< from the box of each face in face_ to the root
 
-	void build(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 	void addLevel(Workers& workers);
 
-	template <class Visit>
-	bool visitBelow(int level, int index, const Box<float>& box, const Visit& visit) const
+	template <class Test, class Visit>
+	bool visitFrom(int level, int i, int lowest, const Test& test, const Visit& visit) const
 	{
-		if (!level_[level][index].meets(box)) return true;
-		if (level == 0) return visit(index);
-		const int end = std::min(int(level_[level - 1].size()), (index + 1) * fanOut);
-		for (int k = index * fanOut; k < end; ++k) {
-			if (!visitBelow(level - 1, k, box, visit)) return false;
+		if (!test(level, i)) return true;
+		if (level == lowest) return visit(i);
+		const int begin = i * fanOut;
+		for (int k = std::min(int(level_[level - 1].size()), begin + fanOut) - 1; k >= begin; --k) {
+			if (!visitFrom(level - 1, k, lowest, test, visit)) return false;
 		}
 		return true;
 	}

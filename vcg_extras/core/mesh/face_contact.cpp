@@ -301,10 +301,9 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers,
 		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
 	}
 	const FaceBoxes boxes(m, wanted, workers);
-	FlatStars       stars(m);
-	if (wanted.empty()) stars.findAll(workers);
-	const auto compare = [&](int f, int g, std::vector<FacePair>& out) {
-		if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
+	const FlatStars stars(m, workers);
+	const auto      compare = [&](int f, int g, std::vector<FacePair>& out) {
+        if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
 	};
 	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
 	for (int f : facesAtMirror(m, wanted, workers))

@@ -32,19 +32,12 @@ public:
 	std::vector<Value> collect(Workers& workers, const Compare& compare) const
 	{
 		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		return workers.collect<Value>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			std::vector<Node> stack;
-			for (std::size_t i = begin; i < end; ++i) {
-				if (isGroupWanted(int(i))) searchGroup(int(i), stack, compare, out);
-			}
+		return workers.collectEach<Value>(groupNum, [&](int group, auto& out) {
+			if (isGroupWanted(group)) searchGroup(group, compare, out);
 		});
 	}
 
 private:
-	struct Node {
-		int level, index;
-	};
-
 	static constexpr int fanOut     = FaceBoxes::fanOut;
 	static constexpr int groupLevel = 2; ///< the level of nodes that are groups
 	static constexpr int groupSize  = fanOut * fanOut;
@@ -95,36 +88,26 @@ private:
 
 	/// Compares the wanted faces of a group with all faces in reach.
 	template <class Value, class Compare>
-	void searchGroup(int group, std::vector<Node>& stack, const Compare& compare,
-					 std::vector<Value>& out) const
+	void searchGroup(int group, const Compare& compare, std::vector<Value>& out) const
 	{
-		const Box<float>& box = boxes_.level(groupLevel)[group];
-		const int         top = boxes_.levelNum() - 1;
-		for (int k = 0; k < int(boxes_.level(top).size()); ++k)
-			stack.push_back({top, k});
-		const std::size_t most = out.size() + mostOfGroup;
-		while (!stack.empty() && out.size() < most) {
-			const Node n = stack.back();
-			stack.pop_back();
-			// With wanted faces, an unwanted group does not search: the wanted group finds it even
-			// behind.
-			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
-			if (!isBehind || !boxes_.level(n.level)[n.index].meets(box)) continue;
-			if (n.level == groupLevel) {
-				compareGroups(group, n.index, compare, out);
-				continue;
-			}
-			const int end = std::min(int(boxes_.level(n.level - 1).size()), (n.index + 1) * fanOut);
-			for (int k = n.index * fanOut; k < end; ++k)
-				stack.push_back({n.level - 1, k});
-		}
-		stack.clear();
+		const Box<float>& box    = boxes_.level(groupLevel)[group];
+		const std::size_t most   = out.size() + mostOfGroup;
+		const auto        isNear = [&](int level, int i) {
+            // With wanted faces, an unwanted group does not search: the wanted group finds it even
+            // behind.
+            const bool isBehind = !wanted_.empty() || lastGroupBelow(level, i) >= group;
+            return isBehind && boxes_.level(level)[i].meets(box);
+		};
+		boxes_.forEachNode(groupLevel, isNear, [&](int other) {
+			compareGroups(group, other, compare, out);
+			return out.size() < most;
+		});
 	}
 
-	static int lastGroupBelow(const Node& n)
+	static int lastGroupBelow(int level, int i)
 	{
-		std::int64_t end = n.index + 1;
-		for (int level = groupLevel; level < n.level; ++level)
+		std::int64_t end = i + 1;
+		for (; level > groupLevel; --level)
 			end *= fanOut;
 		return int(end) - 1;
 	}

@@ -69,20 +69,19 @@ private:
 	}
 };
 
-} // namespace
-
-void FlatStars::findAll(Workers& workers)
+bool isFlatStar(const HalfEdgeMesh& m, int v)
 {
-	Buffer<char> isFlat(m_.vertexNum);
-	workers.forEach(m_.vertexNum, [&](int v) { isFlat[v] = looksFlat(v); });
-	isFlat_ = std::move(isFlat);
+	if (m.isBorderVertex(v)) return false;
+	Star star;
+	return star.collect(m, v) && star.isFlat();
 }
 
-bool FlatStars::looksFlat(int v) const
+} // namespace
+
+FlatStars::FlatStars(const HalfEdgeMesh& mesh, Workers& workers) :
+		m_(mesh), isFlat_(std::size_t(mesh.vertexNum))
 {
-	if (m_.outgoing[v] < 0 || m_.isBorderVertex(v)) return false;
-	Star star;
-	return star.collect(m_, v) && star.isFlat();
+	workers.forEach(isFlat_.size(), [&](int v) { isFlat_[v] = isFlatStar(m_, v); });
 }
 
 } // namespace gpr

@@ -17,13 +17,8 @@ namespace gpr {
 /// not.
 class FlatStars {
 public:
-	explicit FlatStars(const HalfEdgeMesh& mesh) : m_(mesh) {}
-
-	/// Tests all vertices at once, which pays if most faces are compared. The mesh must not change
-	/// afterwards.
-	void findAll(Workers& workers);
-
-	bool isFlat(int v) const { return isFlat_.empty() ? looksFlat(v) : isFlat_[v] != 0; }
+	/// Tests all vertices, in parallel. The mesh must not change afterwards.
+	FlatStars(const HalfEdgeMesh& mesh, Workers& workers);
 
 	/// Whether two faces share a flat vertex.
 	bool areInOne(int f, int g) const
@@ -34,16 +29,14 @@ public:
 		const int* const b = &m_.origin[3 * g];
 		for (int k = 0; k < 3; ++k) {
 			const bool isShared = (a[k] == b[0]) | (a[k] == b[1]) | (a[k] == b[2]);
-			if (isShared && isFlat(a[k])) return true;
+			if (isShared && isFlat_[a[k]]) return true;
 		}
 		return false;
 	}
 
 private:
 	const HalfEdgeMesh& m_;
-	Buffer<char>        isFlat_; ///< per vertex; empty: test a vertex on demand
-
-	bool looksFlat(int v) const;
+	Buffer<char>        isFlat_; ///< per vertex
 };
 
 } // namespace gpr
