@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace gpr {
 
@@ -18,16 +20,6 @@ struct CellNumber {
 
 	std::uint64_t key() const { return x << 40 | y << 20 | z; }
 	int           colour() const { return int((x & 1) << 2 | (y & 1) << 1 | (z & 1)); }
-};
-
-struct KeyedVertex {
-	std::uint64_t key;
-	int           vertex;
-
-	bool operator<(const KeyedVertex& o) const
-	{
-		return key != o.key ? key < o.key : vertex < o.vertex;
-	}
 };
 
 /// Coordinates are above this: the working frame is the unit cube about the origin, or smaller.
@@ -54,23 +46,26 @@ GridCell makeCell(const CellNumber& n, float width)
 
 ColouredGrid cutIntoGridCells(const HalfEdgeMesh& m, const std::vector<int>& vertices, float width)
 {
-	std::vector<KeyedVertex> keyed;
+	std::vector<std::pair<std::uint64_t, int>> keyed; // the key of its cell and the vertex
 	keyed.reserve(vertices.size());
 	for (int v : vertices)
-		keyed.push_back({cellOf(m.position[v], width).key(), v});
+		keyed.emplace_back(cellOf(m.position[v], width).key(), v);
 	std::sort(keyed.begin(), keyed.end());
 
 	ColouredGrid cells;
 	cells.vertices.reserve(keyed.size());
-	for (std::size_t i = 0; i < keyed.size(); ++i) {
-		const CellNumber       number = cellOf(m.position[keyed[i].vertex], width);
+	std::uint64_t lastKey = 0;
+	for (const auto& [key, v] : keyed) {
+		const int              place  = int(cells.vertices.size());
+		const CellNumber       number = cellOf(m.position[v], width);
 		std::vector<GridCell>& own    = cells.byColour[number.colour()];
-		if (i == 0 || keyed[i].key != keyed[i - 1].key) {
+		if (place == 0 || key != lastKey) {
 			own.push_back(makeCell(number, width));
-			own.back().begin = int(i);
+			own.back().begin = place;
 		}
-		own.back().end = int(i) + 1;
-		cells.vertices.push_back(keyed[i].vertex);
+		own.back().end = place + 1;
+		lastKey        = key;
+		cells.vertices.push_back(v);
 	}
 	return cells;
 }

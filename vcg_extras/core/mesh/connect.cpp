@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "connect.h"
 
+#include "edge_sides.h"
 #include "mesh_edit.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace gpr {
@@ -18,106 +20,93 @@ struct Spoke {
 	int  other;
 	bool leaves;
 	int  halfEdge;
+
+	bool isOfSameEdge(const Spoke& o) const { return other == o.other; }
+	bool operator<(const Spoke& o) const
+	{
+		return std::tie(other, leaves, halfEdge) < std::tie(o.other, o.leaves, o.halfEdge);
+	}
 };
 
-bool spokeLess(const Spoke& a, const Spoke& b)
-{
-	if (a.other != b.other) return a.other < b.other;
-	if (a.leaves != b.leaves) return a.leaves < b.leaves;
-	return a.halfEdge < b.halfEdge;
-}
-
-/// The spokes of a vertex. Up to `few` a direction lie in plain arrays.
-struct SpokeFan {
+/// The spokes of a vertex in one direction.
+struct Spokes {
 	static constexpr int few = 16; // nearly all vertices have fewer
 	struct End {
 		int other;
 		int halfEdge;
 	};
-	End                leaving[few], coming[few];
-	int                leavingNum = 0, comingNum = 0;
+	End end[few];
+	int num = 0; ///< may exceed `few`
+
+	/// Whether two spokes have the same other end.
+	bool hasTwins() const
+	{
+		bool twins = false;
+		for (int i = 1; i < num; ++i) {
+			for (int k = 0; k < i; ++k)
+				twins |= end[i].other == end[k].other;
+		}
+		return twins;
+	}
+};
+
+/// The spokes of a vertex. Up to `few` a direction lie in plain arrays.
+struct SpokeFan {
+	Spokes             leaving, coming;
 	int                pairNum = 0; ///< pairs found in the plain arrays
 	std::vector<Spoke> all;         ///< further spokes; after gatherAll() all spokes
 
 	void clear()
 	{
-		leavingNum = comingNum = pairNum = 0;
+		leaving.num = coming.num = pairNum = 0;
 		all.clear();
 	}
-	void addLeaving(int other, int halfEdge)
+	/// Adds a spoke to one of the two directions.
+	void add(Spokes& spokes, int other, int halfEdge)
 	{
-		if (leavingNum < few)
-			leaving[leavingNum] = {other, halfEdge};
+		if (spokes.num < Spokes::few)
+			spokes.end[spokes.num] = {other, halfEdge};
 		else
-			all.push_back({other, true, halfEdge});
-		++leavingNum;
-	}
-	void addComing(int other, int halfEdge)
-	{
-		if (comingNum < few)
-			coming[comingNum] = {other, halfEdge};
-		else
-			all.push_back({other, false, halfEdge});
-		++comingNum;
+			all.push_back({other, &spokes == &leaving, halfEdge});
+		++spokes.num;
 	}
 	void gatherAll()
 	{
-		for (int i = 0; i < std::min(leavingNum, few); ++i)
-			all.push_back({leaving[i].other, true, leaving[i].halfEdge});
-		for (int i = 0; i < std::min(comingNum, few); ++i)
-			all.push_back({coming[i].other, false, coming[i].halfEdge});
+		for (const Spokes* spokes : {&leaving, &coming}) {
+			for (int i = 0; i < std::min(spokes->num, Spokes::few); ++i)
+				all.push_back({spokes->end[i].other, spokes == &leaving, spokes->end[i].halfEdge});
+		}
 	}
 	/// Appends half-edges without an opposite. Skips the search if the counts show only pairs.
 	void addUnpaired(const Buffer<int>& opposite, std::vector<int>& out) const
 	{
-		for (const Spoke& s : all) {
-			if (opposite[s.halfEdge] < 0) out.push_back(s.halfEdge);
+		const auto addIfUnpaired = [&](int h) {
+			if (opposite[h] < 0) out.push_back(h);
+		};
+		for (const Spoke& s : all)
+			addIfUnpaired(s.halfEdge);
+		if (!all.empty() || (pairNum == leaving.num && pairNum == coming.num)) return;
+		for (const Spokes* spokes : {&leaving, &coming}) {
+			for (int i = 0; i < spokes->num; ++i)
+				addIfUnpaired(spokes->end[i].halfEdge);
 		}
-		if (!all.empty() || (pairNum == leavingNum && pairNum == comingNum)) return;
-		for (int i = 0; i < leavingNum; ++i) {
-			if (opposite[leaving[i].halfEdge] < 0) out.push_back(leaving[i].halfEdge);
-		}
-		for (int i = 0; i < comingNum; ++i) {
-			if (opposite[coming[i].halfEdge] < 0) out.push_back(coming[i].halfEdge);
-		}
-	}
-	/// Whether two spokes with the same other end have the same direction.
-	bool hasTwins() const
-	{
-		bool twins = false;
-		for (int i = 1; i < leavingNum; ++i) {
-			for (int k = 0; k < i; ++k)
-				twins |= leaving[i].other == leaving[k].other;
-		}
-		for (int i = 1; i < comingNum; ++i) {
-			for (int k = 0; k < i; ++k)
-				twins |= coming[i].other == coming[k].other;
-		}
-		return twins;
 	}
 };
 
 /// pairSpokes for vertices with many neighbours, and for edges with more than two faces.
 bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 {
-	std::sort(spokes.begin(), spokes.end(), spokeLess);
+	std::sort(spokes.begin(), spokes.end());
 	bool isManifold = true;
-	for (std::size_t i = 0; i < spokes.size();) {
-		std::size_t end = i + 1;
-		while (end < spokes.size() && spokes[end].other == spokes[i].other)
-			++end;
+	forEachEdge(spokes, [&](std::size_t i, std::size_t end) {
 		const bool isPair = end - i == 2 && spokes[i].leaves != spokes[i + 1].leaves;
+		isManifold        = isManifold && (isPair || end - i == 1);
 		for (std::size_t k = i; k < end; ++k)
 			opposite[spokes[k].halfEdge] = -1;
-		if (isPair) {
-			opposite[spokes[i].halfEdge]     = spokes[i + 1].halfEdge;
-			opposite[spokes[i + 1].halfEdge] = spokes[i].halfEdge;
-		}
-		else if (end - i > 1) {
-			isManifold = false;
-		}
-		i = end;
-	}
+		if (!isPair) return;
+		opposite[spokes[i].halfEdge]     = spokes[i + 1].halfEdge;
+		opposite[spokes[i + 1].halfEdge] = spokes[i].halfEdge;
+	});
 	return isManifold;
 }
 
@@ -126,24 +115,25 @@ bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 /// comparing every leaving with every coming half-edge is faster than sorting.
 bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 {
-	if (fan.leavingNum > SpokeFan::few || fan.comingNum > SpokeFan::few) {
+	const int leavingNum = fan.leaving.num, comingNum = fan.coming.num;
+	if (leavingNum > Spokes::few || comingNum > Spokes::few) {
 		fan.gatherAll();
 		return pairSortedSpokes(fan.all, opposite);
 	}
-	for (int i = 0; i < fan.leavingNum; ++i)
-		opposite[fan.leaving[i].halfEdge] = -1;
+	for (int i = 0; i < leavingNum; ++i)
+		opposite[fan.leaving.end[i].halfEdge] = -1;
 	unsigned paired   = 0; // a bit per leaving half-edge
 	bool     hasTwins = false;
-	for (int k = 0; k < fan.comingNum; ++k) {
-		const SpokeFan::End coming  = fan.coming[k];
-		int                 partner = -1;
-		for (int i = 0; i < fan.leavingNum; ++i)
-			partner = fan.leaving[i].other == coming.other ? i : partner;
+	for (int k = 0; k < comingNum; ++k) {
+		const Spokes::End coming  = fan.coming.end[k];
+		int               partner = -1;
+		for (int i = 0; i < leavingNum; ++i)
+			partner = fan.leaving.end[i].other == coming.other ? i : partner;
 		if (partner < 0) {
 			opposite[coming.halfEdge] = -1;
 			continue;
 		}
-		const int leaving         = fan.leaving[partner].halfEdge;
+		const int leaving         = fan.leaving.end[partner].halfEdge;
 		opposite[coming.halfEdge] = leaving;
 		opposite[leaving]         = coming.halfEdge;
 		hasTwins |= (paired >> partner & 1) != 0;
@@ -151,8 +141,8 @@ bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 		++fan.pairNum;
 	}
 	// If all half-edges have partners, twins have the same partner.
-	const bool allPaired = fan.pairNum == fan.leavingNum && fan.pairNum == fan.comingNum;
-	if (!hasTwins && (allPaired || !fan.hasTwins())) return true;
+	const bool allPaired = fan.pairNum == leavingNum && fan.pairNum == comingNum;
+	if (!hasTwins && (allPaired || !(fan.leaving.hasTwins() || fan.coming.hasTwins()))) return true;
 	fan.gatherAll();
 	return pairSortedSpokes(fan.all, opposite);
 }
@@ -241,8 +231,8 @@ private:
 		fan.clear();
 		for (int f = faceStart_[v]; f < faceStart_[v + 1]; ++f) {
 			const int a = mesh_.triangle[3 * f + 1], b = mesh_.triangle[3 * f + 2];
-			fan.addLeaving(a, 3 * f);
-			fan.addComing(b, 3 * f + 2);
+			fan.add(fan.leaving, a, 3 * f);
+			fan.add(fan.coming, b, 3 * f + 2);
 			leaveByOther(a, 3 * f + 1);
 			leaveByOther(b, 3 * f + 2);
 		}
@@ -250,9 +240,9 @@ private:
 			const int h = 3 * f + 1;
 			const int a = mesh_.triangle[h], b = mesh_.triangle[h + 1];
 			if (a == v)
-				fan.addLeaving(b, h);
+				fan.add(fan.leaving, b, h);
 			else
-				fan.addComing(a, h);
+				fan.add(fan.coming, a, h);
 		}
 	}
 };
@@ -310,19 +300,6 @@ private:
 	}
 };
 
-/// Fills the normal and the area of a vertex, and its ring if kept; returns the number of faces
-/// round the vertex.
-int measureRound(int v, Surface& surface)
-{
-	Turn turn;
-	forEachFaceRound(surface.mesh, v,
-					 [&](int, const Float4& a, const Float4& b) { turn.add(a, b); });
-	surface.normal[v] = turn.normal();
-	surface.area[v]   = turn.area();
-	if (!surface.ring.empty()) surface.ring[v] = turn.ring();
-	return turn.cornerNum();
-}
-
 /// Computes vertex normals, marks and areas by walks round every vertex. Returns whether every
 /// vertex has a single fan: the walks then visit all corners. Marking here saves a second pass,
 /// which would cost as much.
@@ -333,7 +310,7 @@ bool measureVertices(Workers& workers, Surface& surface, bool keepsRings)
 	surface.area.reset(m.vertexNum);
 	if (keepsRings) surface.ring.reset(m.vertexNum);
 	const std::int64_t seen = workers.sumEach<std::int64_t>(
-		m.vertexNum, [&](int v, std::int64_t& corners) { corners += measureRound(v, surface); });
+		m.vertexNum, [&](int v, std::int64_t& corners) { corners += measureVertex(v, surface); });
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 
@@ -383,9 +360,15 @@ Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposit
 	return bad;
 }
 
-void measureVertex(int v, Surface& surface)
+int measureVertex(int v, Surface& surface)
 {
-	measureRound(v, surface);
+	Turn turn;
+	forEachFaceRound(surface.mesh, v,
+					 [&](int, const Float4& a, const Float4& b) { turn.add(a, b); });
+	surface.normal[v] = turn.normal();
+	surface.area[v]   = turn.area();
+	if (!surface.ring.empty()) surface.ring[v] = turn.ring();
+	return turn.cornerNum();
 }
 
 IndexedMesh disconnect(Surface& surface)

@@ -58,8 +58,9 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite,
 							 Workers& workers);
 
-/// Fills the normal and the area of a vertex.
-void measureVertex(int v, Surface& surface);
+/// Fills the normal and the area of a vertex, and its ring if kept; returns the number of faces
+/// round the vertex.
+int measureVertex(int v, Surface& surface);
 
 /// Moves the arrays of a surface back into a mesh that may be changed and connected anew. The
 /// surface keeps only its frame.

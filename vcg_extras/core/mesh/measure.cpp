@@ -7,6 +7,7 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
+#include <vcg_extras/core/mesh/face_quality.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,10 +24,6 @@ constexpr double degrees = 180 / pi;
 /// The resulting sets do not depend on the order.
 class DisjointSets {
 public:
-	explicit DisjointSets(std::size_t n) : parent_(n)
-	{
-		std::iota(parent_.begin(), parent_.end(), 0);
-	}
 	DisjointSets(std::size_t n, Workers& workers) : parent_(n)
 	{
 		workers.forRange(n, [&](std::size_t begin, std::size_t end) {
@@ -71,7 +68,7 @@ void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
 	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> edges = sortedSides(mesh, workers);
-	DisjointSets           faces(mesh.faceNum), rim(mesh.vertexNum);
+	DisjointSets           faces(mesh.faceNum, workers), rim(mesh.vertexNum, workers);
 	std::vector<char>      used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
 	std::int64_t           edgeNum = 0;
 	forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
@@ -122,34 +119,31 @@ struct ShapeSums {
 		below30 += o.below30;
 		return *this;
 	}
-
-	void add(const Vec3d& p, const Vec3d& q, const Vec3d& s)
-	{
-		const double a = length(s - q), b = length(s - p), c = length(q - p);
-		const double doubled = length(cross(q - p, s - p)); // twice the area
-		const double longest = std::max({a, b, c});
-		if (std::isfinite(longest)) edgeLen += (a + b + c) / 3;
-		if (!(doubled > 0) || !std::isfinite(doubled)) {
-			radiusRatioMin = aspectRatioMin = minAngleMin = 0;
-			++below30;
-			return;
-		}
-		const double radius = ratioOfRadii(a, b, c, doubled);
-		const double aspect = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
-		radiusRatio += radius;
-		radiusRatioMin = std::min(radiusRatioMin, radius);
-		aspectRatio += aspect;
-		aspectRatioMin         = std::min(aspectRatioMin, aspect);
-		const double angles[3] = {portable::angle(doubled, dot(q - p, s - p)),
-								  portable::angle(doubled, dot(p - q, s - q)),
-								  portable::angle(doubled, dot(p - s, q - s))};
-		const double smallest  = std::min({angles[0], angles[1], angles[2]});
-		minAngle += smallest;
-		minAngleMin = std::min(minAngleMin, smallest);
-		maxAngle    = std::max({maxAngle, angles[0], angles[1], angles[2]});
-		below30 += smallest * degrees < 30;
-	}
 };
+
+/// The shape measures of a face.
+ShapeSums shapeOf(const Vec3d& p, const Vec3d& q, const Vec3d& s)
+{
+	ShapeSums    face;
+	const double a = length(s - q), b = length(s - p), c = length(q - p);
+	const double doubled = length(cross(q - p, s - p)); // twice the area
+	const double longest = std::max({a, b, c});
+	if (std::isfinite(longest)) face.edgeLen = (a + b + c) / 3;
+	if (!(doubled > 0) || !std::isfinite(doubled)) {
+		face.radiusRatioMin = face.aspectRatioMin = face.minAngleMin = 0;
+		face.below30                                                 = 1;
+		return face;
+	}
+	const double angles[3] = {portable::angle(doubled, dot(q - p, s - p)),
+							  portable::angle(doubled, dot(p - q, s - q)),
+							  portable::angle(doubled, dot(p - s, q - s))};
+	face.radiusRatio = face.radiusRatioMin = ratioOfRadii(a, b, c, doubled);
+	face.aspectRatio = face.aspectRatioMin = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
+	face.minAngle = face.minAngleMin = std::min({angles[0], angles[1], angles[2]});
+	face.maxAngle                    = std::max({angles[0], angles[1], angles[2]});
+	face.below30                     = face.minAngle * degrees < 30;
+	return face;
+}
 
 /// Share of inner vertices with six faces, in percent.
 double valence6Percent(const MeshView& mesh)
@@ -219,7 +213,7 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 	if (mesh.faceNum == 0) return q;
 	const ShapeSums sums = workers.sumEach<ShapeSums>(mesh.faceNum, [&](int f, ShapeSums& part) {
 		const auto t = mesh.triangle(f);
-		part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+		part += shapeOf(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
 	});
 	const double    n    = double(mesh.faceNum);
 	q.radiusRatioMean    = sums.radiusRatio / n;
@@ -237,57 +231,22 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 
 namespace {
 
-/// The findings of a pass over the faces.
-struct FaceFindings {
-	std::vector<int> border; ///< half-edges
-	double           area = 0;
-
-	FaceFindings& operator+=(const FaceFindings& o)
-	{
-		border.insert(border.end(), o.border.begin(), o.border.end());
-		area += o.area;
-		return *this;
-	}
-};
-
-/// Joins the corners of each face in `sets`, and measures the faces.
-FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
+/// Joins the corners of each face in `sets`. Returns the half-edges of the border.
+std::vector<int> joinCorners(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
 {
-	return workers.sumEach<FaceFindings>(m.faceNum, [&](int f, FaceFindings& found) {
+	return workers.collectEach<int>(m.faceNum, [&](int f, std::vector<int>& border) {
 		const int* v = &m.origin[3 * f];
 		sets.unite(v[0], v[1]);
 		sets.unite(v[0], v[2]);
-		found.area += 0.5 * double(length(m.faceCross(f)));
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			if (m.opposite[h] < 0) found.border.push_back(h);
+			if (m.opposite[h] < 0) border.push_back(h);
 		}
-	});
-}
-
-/// The findings of a pass over the vertices.
-struct VertexFindings {
-	std::int64_t roots = 0;
-	Box<double>  box;
-
-	VertexFindings& operator+=(const VertexFindings& o)
-	{
-		roots += o.roots;
-		box += o.box;
-		return *this;
-	}
-};
-
-VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Workers& workers)
-{
-	return workers.sumEach<VertexFindings>(m.vertexNum, [&](int v, VertexFindings& found) {
-		found.roots += sets.isRoot(v);
-		if (isFinite(m.position[v])) found.box.add(Vec3d(m.position[v]));
 	});
 }
 
 /// Counts border loops by joined vertices, as in a faulty mesh, which only the audit finds, a
 /// border vertex may have several border half-edges.
-std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
+std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border, Workers& workers)
 {
 	std::vector<int> vertex;
 	for (int h : border) {
@@ -295,7 +254,7 @@ std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 		vertex.push_back(m.target(h));
 	}
 	sortUnique(vertex);
-	DisjointSets rims(vertex.size());
+	DisjointSets rims(vertex.size(), workers);
 	for (int h : border)
 		rims.unite(placeIn(vertex, m.origin[h]), placeIn(vertex, m.target(h)));
 	std::int64_t loops = 0;
@@ -308,20 +267,22 @@ std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 
 MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 {
-	DisjointSets         sets(m.vertexNum, workers);
-	const FaceFindings   faces    = readFaces(m, sets, workers);
-	const VertexFindings vertices = readVertices(m, sets, workers);
-
+	DisjointSets           sets(m.vertexNum, workers);
+	const std::vector<int> border = joinCorners(m, sets, workers);
+	const Box<double>      box =
+		workers.sumEach<Box<double>>(m.vertexNum, [&](int v, Box<double>& part) {
+			if (isFinite(m.position[v])) part.add(Vec3d(m.position[v]));
+		});
 	MeshFigures figures;
-	figures.vertices      = m.vertexNum;
-	figures.faces         = m.faceNum;
-	figures.components    = vertices.roots;
-	figures.boundaryLoops = loopNum(m, faces.border);
-	const std::int64_t edges =
-		(std::int64_t(m.halfEdgeNum()) + std::int64_t(faces.border.size())) / 2;
+	figures.vertices   = m.vertexNum;
+	figures.faces      = m.faceNum;
+	figures.components = workers.sumEach<std::int64_t>(
+		m.vertexNum, [&](int v, std::int64_t& roots) { roots += sets.isRoot(v); });
+	figures.boundaryLoops       = loopNum(m, border, workers);
+	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + std::int64_t(border.size())) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
-	figures.area                = unit * unit * faces.area;
-	figures.diagonal            = unit * vertices.box.diagonal();
+	figures.area                = unit * unit * surfaceArea(m, workers);
+	figures.diagonal            = unit * box.diagonal();
 	return figures;
 }
 
@@ -338,10 +299,8 @@ double borderLength(const HalfEdgeMesh& m)
 
 std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sumEach<std::int64_t>(m.faceNum, [&](int f, std::int64_t& num) {
-		const int* v = &m.origin[3 * f];
-		num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
-	});
+	return workers.sumEach<std::int64_t>(m.faceNum,
+										 [&](int f, std::int64_t& num) { num += hasNoArea(m, f); });
 }
 
 std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)

@@ -58,7 +58,7 @@ OctreeBlocks cutIntoBlocks(const Surface& surface, float minCellSize, Workers& w
 		// The lowest bit of each coordinate is its parity.
 		const int colour = int(grid.cell(m.position[begins[b]], level) & 7);
 		partition.byColour[colour].push_back(int(b));
-		partition.blocks.push_back({begins[b], end, colour});
+		partition.blocks.push_back({begins[b], end});
 	}
 	const auto sizeOf = [&](int b) { return partition.blocks[b].end - partition.blocks[b].begin; };
 	for (std::vector<int>& ids : partition.byColour) {

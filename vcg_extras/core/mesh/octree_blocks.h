@@ -16,7 +16,6 @@ namespace gpr {
 struct Block {
 	int begin;
 	int end;
-	int colour; ///< parity of the cell's coordinates, 0 to 7
 };
 
 /// The surface cut into octree cells. Two cells of the same colour are at least a cell's width
@@ -24,8 +23,9 @@ struct Block {
 /// than half a cell's width beyond its cell. The result depends only on the order of colours.
 struct OctreeBlocks {
 	std::vector<Block>              blocks;   ///< in vertex order
-	std::array<std::vector<int>, 8> byColour; ///< block indices, largest block first
-	float                           cellSize = 0;
+	std::array<std::vector<int>, 8> byColour; ///< by the parity of the cell's coordinates: block
+											  ///< indices, largest block first
+	float cellSize = 0;
 };
 
 /// Cuts at the deepest level with cells at least minCellSize wide (working units).

@@ -85,13 +85,8 @@ void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 
 MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
 {
-	const Box<float> b =
-		workers.sum<Box<float>>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-			Box<float> part;
-			for (std::size_t v = begin; v < end; ++v)
-				part.add(mesh.position[v]);
-			return part;
-		});
+	const Box<float> b = workers.sumEach<Box<float>>(
+		mesh.vertexNum, [&](int v, Box<float>& part) { part.add(mesh.position[v]); });
 	MortonGrid grid;
 	grid.low      = b.low;
 	grid.cubeSize = b.largestSide();
@@ -141,13 +136,6 @@ Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& wo
 	return rename;
 }
 
-/// The corner with the smallest vertex.
-int smallestCorner(const int* t)
-{
-	if (t[0] < t[1]) return t[0] < t[2] ? 0 : 2;
-	return t[1] < t[2] ? 1 : 2;
-}
-
 /// The faces by their smallest vertex, stable. Sorting moves whole streams of faces, which is
 /// faster than shared counters per vertex.
 Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
@@ -189,7 +177,7 @@ void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 	workers.forEach(mesh.faceNum, [&](int f) {
 		const int  old   = indexOf(face[f]);
 		const int* from  = &mesh.triangle[std::size_t(3) * old];
-		const int  first = smallestCorner(from);
+		const int  first = int(std::min_element(from, from + 3) - from);
 		for (int k = 0; k < 3; ++k)
 			triangle[3 * f + k] = from[(first + k) % 3];
 		sourceFace[f] = mesh.sourceFace[old];
