@@ -7,7 +7,7 @@
 #include <tests/support/on_surface.h>
 #include <vcg_extras/core/mesh/coloured_grid.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/valence_energy.h>
+#include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 

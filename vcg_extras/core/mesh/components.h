@@ -49,7 +49,10 @@ Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinke
 }
 
 /// Finds the components over all inner edges.
-Components findComponents(const HalfEdgeMesh& mesh, Workers& workers);
+inline Components findComponents(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return findComponents(mesh, workers, [](int) { return true; });
+}
 
 } // namespace gpr
 

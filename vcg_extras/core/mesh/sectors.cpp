@@ -11,6 +11,30 @@ namespace gpr {
 
 namespace {
 
+/// Calls visit(first, faceNum) for every sector of v: faceNum faces, counter-clockwise from the
+/// face of half-edge `first`. The whole star is one sector if no feature line meets v.
+template <class Visit>
+void forEachSector(const HalfEdgeMesh& m, int v, const Visit& visit)
+{
+	int start = m.outgoing[v];
+	if (!m.isBorderVertex(v)) {
+		forEachOutgoing(m, v, [&](int h) {
+			if (m.isCreaseEdge(h)) start = h;
+		});
+	}
+	int first = start, num = 0, h = start;
+	do {
+		if (num > 0 && m.isCreaseEdge(h)) {
+			visit(first, num);
+			first = h;
+			num   = 0;
+		}
+		++num;
+		h = m.opposite[prevInFace(h)];
+	} while (h >= 0 && h != start);
+	visit(first, num);
+}
+
 /// Calls visit(h) for the half-edges of a sector.
 template <class Visit>
 void forEachInSector(const HalfEdgeMesh& m, int first, int faceNum, const Visit& visit)
@@ -76,16 +100,17 @@ int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
 	return std::max(1, int(std::lround(angle / (60 * radians))));
 }
 
-} // namespace
-
 int correctedValence(const HalfEdgeMesh& m, int v)
 {
+	if (m.outgoing[v] < 0) return 6;
 	if (!m.isCurveVertex(v)) return m.valence(v);
 	int n = 6;
 	forEachSector(m, v,
 				  [&](int first, int faceNum) { n += faceNum - wantedFaces(m, first, faceNum); });
 	return n;
 }
+
+} // namespace
 
 bool isFlat(const HalfEdgeMesh& m, int v)
 {
@@ -101,6 +126,21 @@ Buffer<char> findFlatVertices(const HalfEdgeMesh& m, Workers& workers)
 	Buffer<char> flat(m.vertexNum);
 	workers.forEach(flat.size(), [&](int v) { flat[v] = isFlat(m, v); });
 	return flat;
+}
+
+Buffer<int> correctedValences(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<int> valence(m.vertexNum);
+	workers.forEach(valence.size(), [&](int v) { valence[v] = correctedValence(m, v); });
+	return valence;
+}
+
+int flipEnergy(const HalfEdgeMesh& m, const Buffer<int>& valence, int h)
+{
+	// A face less changes the energy by (n - 1 - 6)² - (n - 6)² = 13 - 2n, a face more by 2n - 11.
+	const int losing  = valence[m.origin[h]] + valence[m.target(h)];
+	const int gaining = valence[m.apex(h)] + valence[m.apex(m.opposite[h])];
+	return 26 - 2 * losing + 2 * gaining - 22;
 }
 
 } // namespace gpr

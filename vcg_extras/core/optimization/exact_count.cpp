@@ -8,7 +8,6 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/sectors.h>
-#include <vcg_extras/core/mesh/valence_energy.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
