@@ -8,8 +8,8 @@ _ACCEPTANCE = "edit/acceptance.cpp"
 ABLATIONS = [
     ("relaxation", "glide of dislocations", "run/result_stages.cpp", "\t\tglideDislocations(result, run.workers);\n", ""),
     ("relaxation", "conformal steps", "run/result_stages.cpp",
-     "relaxConformally(made.surface, made.curves, conformalSteps(2 * relaxationSteps), made.result,",
-     "relaxConformally(made.surface, made.curves, conformalSteps(0), made.result,"),
+     "relaxConformally(made.surface, made.curves, 2 * relaxationSteps, made.result,",
+     "relaxConformally(made.surface, made.curves, 0, made.result,"),
     ("relaxation", "turn of a face", _ACCEPTANCE, "{Driver::Relaxation,     {0.5f, 0.6f,",
      "{Driver::Relaxation,     {-2,   0.6f,"),
     ("relaxation", "shape of a face", _ACCEPTANCE, "{Driver::Relaxation,     {0.5f, 0.6f,",

@@ -179,7 +179,7 @@ TEST_P(Conformal, TenStepsDampLongWavesMoreThanTenRelaxations)
 	const double area = factsOf(meshOf(on.m())).area, before = 1 - on.meanShape();
 	for (int step = 0; step < 10; ++step)
 		relaxOnce(plain.surface, plain.result, plain.workers);
-	relaxConformally(on.surface, on.boundary, conformalSteps(10), on.result, on.workers);
+	relaxConformally(on.surface, on.boundary, 10, on.result, on.workers);
 	EXPECT_LT(1 - plain.meanShape(), 0.9 * before);
 	EXPECT_LT(1 - on.meanShape(), 0.7 * (1 - plain.meanShape()));
 	EXPECT_NEAR(factsOf(meshOf(on.m())).area / area, 1, 1e-3) << "nothing overlaps";
@@ -193,7 +193,7 @@ TEST_P(Conformal, BorderVerticesSlideAlongTheBorderAndCornersStay)
 	OnSurface on(jitteredGrid(30, 0.3, random));
 	fixCornersOfUnitSquare(on);
 	const HalfEdgeMesh before = copyOf(on.m());
-	relaxConformally(on.surface, on.boundary, conformalSteps(6), on.result, on.workers);
+	relaxConformally(on.surface, on.boundary, 6, on.result, on.workers);
 	int moved = 0;
 	for (int v = 0; v < before.vertexNum; ++v) {
 		if (!before.isBorderVertex(v)) continue;
@@ -214,7 +214,7 @@ TEST_P(Conformal, DoesNotDependOnThreads)
 {
 	Random random(GetParam());
 	expectSameForAnyThreads(jitteredGrid(70, 0.35, random), [](OnSurface& on, Workers& workers) {
-		relaxConformally(on.surface, on.boundary, conformalSteps(7), on.result, workers);
+		relaxConformally(on.surface, on.boundary, 7, on.result, workers);
 	});
 }
 
@@ -224,7 +224,7 @@ TEST_P(Conformal, NoFaceTurnsAmongPoorTriangles)
 	OnSurface on(jitteredGrid(30, 0.45, random));
 	scramble(on.m(), random);
 	const HalfEdgeMesh before = copyOf(on.m());
-	relaxConformally(on.surface, on.boundary, {1, 0, 1}, on.result, on.workers);
+	relaxConformally(on.surface, on.boundary, 1, on.result, on.workers);
 	for (int f = 0; f < on.m().faceNum; ++f)
 		ASSERT_GT(on.m().faceNormal(f).z * before.faceNormal(f).z, 0.0f) << "face " << f;
 	on.expectOnSurface();
@@ -266,7 +266,7 @@ TEST(ConformalKeeps, TheGradingOfAMesh)
 	const float before = grading(on.m());
 	for (ResultVertex& v : on.result.vertex)
 		v.isCorner = v.curve >= 0;
-	relaxConformally(on.surface, on.boundary, conformalSteps(10), on.result, on.workers);
+	relaxConformally(on.surface, on.boundary, 10, on.result, on.workers);
 	EXPECT_GT(before, 4);
 	EXPECT_NEAR(grading(on.m()) / before, 1, 0.05f);
 }

@@ -73,9 +73,8 @@ void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.sampled().surface;
 	const BoundaryCurves& boundary = run.sampled().samples.curves;
-	const ConformalSteps  steps    = conformalSteps(2 * relaxationSteps);
 	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
-		relaxConformally(surface, boundary, steps, result, workers);
+		relaxConformally(surface, boundary, 2 * relaxationSteps, result, workers);
 	});
 }
 

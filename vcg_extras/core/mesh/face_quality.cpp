@@ -40,15 +40,14 @@ float obtuseAngle(const HalfEdgeMesh& m, int face)
 	return ab + bc + ca < 2 * longest ? largestAngle(a, b, c) : 0;
 }
 
-float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine)
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p)
 {
 	const Vec3f here  = m.position[v];
 	float       worst = 4;
 	forEachOutgoing(m, v, [&](int h) {
 		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
 		const Vec3f now = cross(a - here, b - here), then = cross(a - p, b - p);
-		const bool  turns = dot(now, then) <= turnCosine * length(now) * length(then);
-		worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
+		worst = std::min(worst, dot(now, then) <= 0 ? -1.0f : smallestAngle(p, a, b));
 	});
 	return worst;
 }

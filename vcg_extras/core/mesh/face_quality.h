@@ -18,9 +18,9 @@ float smallestAngle(const HalfEdgeMesh& m, int face);
 /// Largest angle of a face in radians; 0, at less cost, if the face is not obtuse.
 float obtuseAngle(const HalfEdgeMesh& m, int face);
 
-/// Smallest angle in the star of v with v at p; below 0 if the move rotates a normal so far that
-/// the cosine is at most turnCosine.
-float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
+/// Smallest angle in the star of v with v at p; below 0 if the move rotates a normal by a right
+/// angle or more.
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p);
 
 /// Tests faces for angles below a limit (radians, at most 60°). Cost: a few products a face; the
 /// angle is computed only if the edge lengths do not decide.

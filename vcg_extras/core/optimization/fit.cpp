@@ -3,13 +3,13 @@
 #include "fit.h"
 
 #include "curve_fit.h"
-#include "descent.h"
 #include "rings.h"
 #include "terms.h"
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/edit/constraint.h>
+#include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/walk.h>
@@ -26,7 +26,7 @@ namespace {
 /// little.
 constexpr int stepNum = 4;
 /// Length of a step as a share of the Newton step of the vertex alone, and share of the last step
-/// to keep.
+/// to keep (heavy ball, Polyak 1964).
 constexpr float stepLength = 0.85f;
 constexpr float momentum   = 0.7f;
 /// μ: pull to the start of the round.
@@ -173,9 +173,8 @@ private:
 		SymmetricMatrix matrix = distance_.own(v).matrix();
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
-		last_[v] =
-			moveWithMomentum(last_[v], momentum, matrix.solve(force).value_or(Vec3f()) * stepLength,
-							 longestStep * std::sqrt(ring.shortest));
+		const Vec3f step = matrix.solve(force).value_or(Vec3f()) * stepLength;
+		last_[v] = shortened(last_[v] * momentum + step, longestStep * std::sqrt(ring.shortest));
 		return shortened(shift_[v].xyz() + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };

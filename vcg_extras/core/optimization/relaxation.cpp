@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relaxation.h"
 
-#include "descent.h"
 #include "rings.h"
 #include "terms.h"
 
 #include <vcg_extras/core/edit/constraint.h>
+#include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/sectors.h>
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gpr {
 
@@ -30,11 +31,57 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 	return density;
 }
 
+/// Steps on the surface and its curves that move all vertices at once (Jacobi): the position of a
+/// vertex is the place of its record.
+class SurfaceDescent {
+public:
+	SurfaceDescent(ResultMesh& result, Workers& workers) :
+			guard_(acceptanceOf(Driver::Relaxation), Shortening(), result.mesh, workers),
+			r_(result), m_(result.mesh), workers_(workers), next_(result.vertex.size()),
+			moves_(result.vertex.size(), 0)
+	{
+	}
+
+	/// next(v) returns the new record of v, or none if v stays; all calls see the places before the
+	/// step. A template, so that the terms in `next`, which take most of the time, are inlined into
+	/// the loop.
+	template <class Next>
+	void step(const Next& next)
+	{
+		guard_.start();
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			const std::optional<ResultVertex> to = next(v);
+			moves_[v]                            = to.has_value();
+			if (to) next_[v] = *to;
+		});
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			if (moves_[v]) m_.position[v] = next_[v].point.position;
+		});
+		guard_.takeOver();
+		guard_.settle();
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			moves_[v] = moves_[v] && m_.position[v] == next_[v].point.position;
+			if (moves_[v]) r_.vertex[v] = next_[v];
+		});
+	}
+
+	/// Whether v's move in the last step stood.
+	bool moved(int v) const { return moves_[v] != 0; }
+
+private:
+	MoveGuard            guard_;
+	ResultMesh&          r_;
+	HalfEdgeMesh&        m_;
+	Workers&             workers_;
+	Buffer<ResultVertex> next_;
+	Buffer<char>         moves_;
+};
+
 /// A step over the surface: every flat vertex moves by the tangential part of way(v).
 template <class Way>
 void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
 {
-	SurfaceDescent descent(acceptanceOf(Driver::Relaxation), result, workers);
+	SurfaceDescent descent(result, workers);
 	descent.step([&](int v) -> std::optional<ResultVertex> {
 		if (!mayWalk(constraintOf(result, v)) || !isFlat(result.mesh, v)) return {};
 		ResultVertex next = result.vertex[v];
@@ -70,8 +117,10 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 /// Flips after every step give the same regularity and a 5 % larger mean distance; flips after
 /// every sixth step give less regularity (means of six models).
 constexpr int stepsBetweenFlips = 3;
-/// The momentum fades over the last steps, which then damp short waves.
-constexpr int calmSteps = 2;
+/// Share of the last move to repeat (heavy ball, Polyak 1964). The momentum fades over the last
+/// steps, which then damp short waves.
+constexpr float momentum  = 0.7f;
+constexpr int   calmSteps = 2;
 
 /// Above this energy of a face, the vertices of the ring move by guarded steps.
 constexpr float poorEnergy = 1.35f;
@@ -110,21 +159,20 @@ struct RingPull {
 
 class ConformalRelaxer {
 public:
-	ConformalRelaxer(const Surface& surface, const BoundaryCurves& curves,
-					 const ConformalSteps& steps, ResultMesh& result, Workers& workers) :
+	ConformalRelaxer(const Surface& surface, const BoundaryCurves& curves, int stepNum,
+					 ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			curves_(curves), steps_(steps), r_(result), m_(result.mesh), workers_(workers),
-			descent_(acceptanceOf(Driver::Relaxation), result, workers),
-			role_(result.vertex.size()), place_(result.vertex.size()), next_(result.vertex.size()),
-			last_(result.vertex.size())
+			curves_(curves), stepNum_(stepNum), r_(result), m_(result.mesh), workers_(workers),
+			descent_(result, workers), role_(result.vertex.size()), place_(result.vertex.size()),
+			next_(result.vertex.size()), last_(result.vertex.size())
 	{
 		workers.forEach(last_.size(), [&](int v) { last_[v] = Vec3f(); });
 	}
 
 	void run()
 	{
-		for (int step = 0; step < steps_.stepNum; step += stepsBetweenFlips) {
-			stepInSpace(step, std::min(step + stepsBetweenFlips, steps_.stepNum));
+		for (int step = 0; step < stepNum_; step += stepsBetweenFlips) {
+			stepInSpace(step, std::min(step + stepsBetweenFlips, stepNum_));
 			descent_.step([&](int v) { return recordAfterSteps(v); });
 			workers_.forEach(last_.size(), [&](int v) {
 				if (!descent_.moved(v)) last_[v] = Vec3f();
@@ -138,7 +186,7 @@ private:
 
 	const Surface&        surface_;
 	const BoundaryCurves& curves_;
-	const ConformalSteps& steps_;
+	int                   stepNum_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
@@ -167,9 +215,8 @@ private:
 		const Rings rings(m_, workers_);
 		place_ = copyOf(m_.position, workers_);
 		for (int step = begin; step < end; ++step) {
-			const int left = steps_.stepNum - 1 - step;
-			share_ =
-				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;
+			const int left = stepNum_ - 1 - step;
+			share_         = left >= calmSteps ? momentum : momentum * float(left) / calmSteps;
 			rings.forEach<ConformalFace>(
 				workers_, [&](int f) { return shapeOf(f); },
 				[&](int v, const Rings::Ring<ConformalFace>& ring) {
@@ -194,15 +241,13 @@ private:
 		const RingPull pull(ring);
 		const float    edge = std::sqrt(pull.squaredEdge);
 		if (role_[v] == Role::Slides) {
-			last_[v] = shortened(pull.newton() * steps_.rate, longestDescent * edge);
+			last_[v] = shortened(pull.newton(), longestDescent * edge);
 			return here;
 		}
 		const Vec3f& normal = r_.vertex[v].normal;
 		const bool   isPoor = pull.worstEnergy > poorEnergy;
-		const Vec3f  step =
-			shortened(tangential(pull.newton(), normal) * steps_.rate, longestDescent * edge);
-		const Vec3f move =
-			moveWithMomentum(last_[v], isPoor ? 0 : share_, step, longestMove * edge);
+		const Vec3f  step   = shortened(tangential(pull.newton(), normal), longestDescent * edge);
+		const Vec3f  move = shortened(last_[v] * (isPoor ? 0 : share_) + step, longestMove * edge);
 		if (isPoor && lowersWorstAngle(v, here + move)) {
 			last_[v] = Vec3f();
 			return here;
@@ -224,7 +269,7 @@ private:
 
 	bool lowersWorstAngle(int v, const Vec3f& p) const
 	{
-		return smallestAngleAround(m_, v, p, 0) < smallestAngleAround(m_, v, m_.position[v], 0);
+		return smallestAngleAround(m_, v, p) < smallestAngleAround(m_, v, m_.position[v]);
 	}
 
 	std::optional<ResultVertex> slide(int v, const Vec3f& step) const
@@ -241,9 +286,9 @@ private:
 		if (!slideKeepsToCurve(r_, curves_, v, room, arc)) return {};
 		if (!slideKeepsSpacing(r_, curves_, v, room, arc)) return {};
 		const ResultVertex next  = slid(surface_, curves_, here, arc);
-		const float        worst = smallestAngleAround(m_, v, next.point.position, 0);
+		const float        worst = smallestAngleAround(m_, v, next.point.position);
 		const float        least =
-			std::min(minSlideAngle, smallestAngleAround(m_, v, here.point.position, 0));
+			std::min(minSlideAngle, smallestAngleAround(m_, v, here.point.position));
 		if (worst < 0 || worst < least) return {};
 		return next;
 	}
@@ -274,18 +319,10 @@ void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, Res
 	}
 }
 
-ConformalSteps conformalSteps(int stepNum)
+void relaxConformally(const Surface& surface, const BoundaryCurves& curves, int stepNum,
+					  ResultMesh& result, Workers& workers)
 {
-	if (stepNum <= 7) return {stepNum, 0.7f, 1};
-	if (stepNum <= 15) return {stepNum, 0.8f, 0.7f};
-	if (stepNum <= 25) return {stepNum, 0.85f, 0.7f};
-	return {stepNum, 0.9f, 0.7f};
-}
-
-void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
-					  const ConformalSteps& steps, ResultMesh& result, Workers& workers)
-{
-	ConformalRelaxer(surface, curves, steps, result, workers).run();
+	ConformalRelaxer(surface, curves, stepNum, result, workers).run();
 }
 
 } // namespace gpr

@@ -33,23 +33,13 @@ void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, Res
 /// Vertices of curves, cone apexes and vertices on creases stay.
 void smoothByUmbrella2(const Surface& surface, ResultMesh& result, Workers& workers);
 
-/// Steps of relaxConformally and their weights.
-struct ConformalSteps {
-	int   stepNum  = 10;
-	float momentum = 0.8f; ///< share of the last move to repeat, in [0, 1)
-	float rate     = 0.7f; ///< of a Newton step with the Hessian's diagonal, in (0, 1]
-};
-
-/// Suitable weights for a number of steps: more steps take more momentum.
-ConformalSteps conformalSteps(int stepNum);
-
 /// Makes triangles equilateral: descent with momentum on the sum of the conformal energy over the
 /// faces. The energy does not depend on sizes, so a graded mesh stays graded. All vertices move at
 /// once (Jacobi); corners and cone apexes stay. In a ring with a poor triangle, a move must not
 /// lower the worst angle. Three steps go through space; then the vertices walk to the new places,
 /// vertices of curves slide along their curves, and edges are flipped to Delaunay.
-void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
-					  const ConformalSteps& steps, ResultMesh& result, Workers& workers);
+void relaxConformally(const Surface& surface, const BoundaryCurves& curves, int stepNum,
+					  ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

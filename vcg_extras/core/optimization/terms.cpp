@@ -9,6 +9,9 @@ namespace gpr {
 
 namespace {
 
+/// A face with at least this many input vertices uses every second one in a rough assembly.
+constexpr int manyVertices = 4;
+
 /// The first-order umbrella and the valence of a vertex, side by side because both are averaged.
 struct Umbrella {
 	Vec3f vector;
@@ -65,9 +68,7 @@ Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density
 
 Vec3f heightOverRing(const HalfEdgeMesh& m, int v)
 {
-	Float4 sum;
-	forEachFaceRound(m, v, [&](int, const Float4& a, const Float4& b) { sum += cross(a, b); });
-	const Vec3f normal = normalized(sum.xyz());
+	const Vec3f normal = normalized(ringSum(m, v).normal);
 	return normal * -dot(umbrellaAt(m, v).vector, normal);
 }
 
@@ -93,13 +94,6 @@ void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, b
 		workers, [&](int f) { return termOf(surface, map, isRough, f); },
 		[&](int v, const Rings::Ring<FaceTerm>& ring) { addUp(v, ring); });
 }
-
-namespace {
-
-/// A face with at least this many input vertices uses every second one in a rough assembly.
-constexpr int manyVertices = 4;
-
-} // namespace
 
 /// Visits each input vertex once, for all three corners.
 DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const ClosestFaceMap& map,

@@ -14,8 +14,15 @@
 
 namespace gpr {
 
-/// The terms that move vertices. A term gives the wanted move of a vertex while all other
-/// vertices stay. Terms know no constraints and no limits.
+// The terms that move vertices. A term gives the wanted move of a vertex while all other vertices
+// stay. Terms know no constraints and no limits.
+
+/// A move, shortened to the length `longest` if it is longer.
+inline Vec3f shortened(const Vec3f& move, float longest)
+{
+	const float l = length(move);
+	return l > longest ? move * (longest / l) : move;
+}
 
 /// Barycentric: the way from v to the barycentre of its ring, weighted by area, and by the density
 /// at the vertices if given.

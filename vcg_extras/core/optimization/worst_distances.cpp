@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worst_distances.h"
 
+#include "terms.h"
+
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/edit/move_guard.h>
@@ -172,7 +174,7 @@ private:
 	template <class GapFrom>
 	bool drawTo(int f, const GapFrom& gapFrom)
 	{
-		for (int move = 0; move <= maxMoves; ++move) {
+		for (int move = 0;; ++move) {
 			const Gap gap = gapFrom(f);
 			if (gap.squared <= near_ * near_) return true;
 			const auto isCloser = [&] {
@@ -181,7 +183,6 @@ private:
 			};
 			if (move == maxMoves || !moveSome(f, gap, isCloser)) return false;
 		}
-		return false;
 	}
 
 	// ---- the worst faces
@@ -195,14 +196,6 @@ private:
 	}
 
 	float largestKnown() const { return *std::max_element(gap_.begin(), gap_.end()); }
-
-	float largestKnown(const std::vector<int>& faces) const
-	{
-		float largest = 0;
-		for (int f : faces)
-			largest = std::max(largest, gap_[f]);
-		return largest;
-	}
 
 	/// The entries of faces in gap_; empty if a face is farther than `squared`.
 	std::vector<float> gapsWithin(const std::vector<int>& faces, float squared) const
@@ -219,10 +212,8 @@ private:
 	/// Faces beyond the squared distance `goal`, farthest first.
 	std::vector<int> facesBeyond(float goal) const
 	{
-		std::vector<int> faces;
-		for (int f = 0; f < m_.faceNum; ++f) {
-			if (gap_[f] > goal) faces.push_back(f);
-		}
+		std::vector<int> faces =
+			workers_.collectIf(m_.faceNum, [&](int f) { return gap_[f] > goal; });
 		std::stable_sort(faces.begin(), faces.end(),
 						 [&](int f, int g) { return gap_[f] > gap_[g]; });
 		const std::size_t most = hasGoal_ ? maxFacesToGoal : maxFaces;
@@ -300,11 +291,8 @@ private:
 			sum += weight[k] * weight[k];
 		}
 		const float most = longestMove * edgeOf(f);
-		for (Move& m : moves) {
-			m.shift       = m.shift * (1 / sum);
-			const float l = length(m.shift);
-			if (l > most) m.shift = m.shift * (most / l);
-		}
+		for (Move& m : moves)
+			m.shift = shortened(m.shift * (1 / sum), most);
 		return moves;
 	}
 
@@ -317,10 +305,12 @@ private:
 		moving.reserve(moves.size());
 		for (const Move& m : moves)
 			moving.push_back(m.vertex);
-		const std::vector<int> faces  = facesRound(m_, moving);
-		const float            before = std::max(gap.squared, largestKnown(faces));
+		const std::vector<int> faces   = facesRound(m_, moving);
+		float                  largest = gap.squared;
+		for (int g : faces)
+			largest = std::max(largest, gap_[g]);
 		for (float share : wayShares) {
-			if (tryMove(moves, share, faces, before, isCloser)) return true;
+			if (tryMove(moves, share, faces, largest, isCloser)) return true;
 		}
 		return false;
 	}

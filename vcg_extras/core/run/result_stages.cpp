@@ -87,8 +87,7 @@ void relaxPlainly(RunContext& run, Products& made)
 void makeRegular(RunContext& run, Products& made)
 {
 	relaxAndGlide(run, made.surface, made.curves, made.result);
-	relaxConformally(made.surface, made.curves, conformalSteps(2 * relaxationSteps), made.result,
-					 run.workers);
+	relaxConformally(made.surface, made.curves, 2 * relaxationSteps, made.result, run.workers);
 }
 
 void relax(RunContext& run, Products& made)
