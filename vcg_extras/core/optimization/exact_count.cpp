@@ -23,8 +23,8 @@ namespace {
 /// The care about shapes, from most careful to topology only.
 enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
 
-/// The flips that accompany a split: edges of the quadrilateral w-c-x-d round the new vertex, a bit
-/// each.
+/// The flips that accompany a split: the four edges of the quadrilateral w-c-x-d round the new
+/// vertex, a bit each.
 enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
 /// Two flips at c, or two at d, are missing: c or d would lose two faces at once.
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
@@ -83,10 +83,7 @@ public:
 			while (num_ != wanted_) {
 				workers_.poll();
 				const std::int64_t before = num_;
-				if (num_ < wanted_)
-					splitRound();
-				else
-					collapseRound();
+				changeRound();
 				if (num_ == before) break;
 			}
 		}
@@ -141,17 +138,18 @@ private:
 
 	/// The operations of a round, in order. Expensive operations at the end are cut off, because
 	/// fresh valences offer cheaper operations in the next round.
-	std::vector<CountChange> chosen(std::vector<CountChange>&& all, std::int64_t wanted) const
+	std::vector<CountChange> chosen(std::vector<CountChange>&& all) const
 	{
+		const std::int64_t left = leftNum();
 		// With topology only, the order must not depend on the wanted number.
 		const std::size_t most =
 			care_ == Care::TopologyOnly
 				? all.size()
-				: std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
+				: std::min<std::size_t>(all.size(), std::size_t(4 * left + 64));
 		std::partial_sort(all.begin(), all.begin() + most, all.end());
 		all.resize(most);
 		if (care_ == Care::FlatGroundOnly && !all.empty()) {
-			const std::size_t few  = std::min<std::size_t>(all.size() - 1, std::size_t(wanted / 8));
+			const std::size_t few  = std::min<std::size_t>(all.size() - 1, std::size_t(left / 8));
 			const int         last = std::max(0, all[few].energy);
 			while (all.back().energy > last)
 				all.pop_back();
@@ -188,31 +186,46 @@ private:
 	/// The operations of a round. On flat ground there are mostly enough operations of energy 0;
 	/// then the many other operations, which would all be cut off, are not collected.
 	template <class Find>
-	std::vector<CountChange> operationsOfRound(std::int64_t wanted, const Find& find) const
+	std::vector<CountChange> operationsOfRound(const Find& find) const
 	{
 		if (care_ == Care::FlatGroundOnly) {
 			std::vector<CountChange> free = collectUpTo(0, find);
-			if (std::int64_t(free.size()) > wanted / 8) return chosen(std::move(free), wanted);
+			if (std::int64_t(free.size()) > leftNum() / 8) return chosen(std::move(free));
 		}
-		return chosen(collectUpTo(std::numeric_limits<int>::max(), find), wanted);
+		return chosen(collectUpTo(std::numeric_limits<int>::max(), find));
+	}
+
+	/// Splits edges, or collapses edges, until the number is reached or no operation is left.
+	void changeRound()
+	{
+		beginRound();
+		const bool toSplit = num_ < wanted_;
+		const auto find    = [&](int h, int most) {
+            return toSplit ? findSplit(h, most) : findCollapse(h);
+		};
+		const std::vector<CountChange> operations = operationsOfRound(find);
+		const int                      left       = int(std::abs(wanted_ - num_));
+		if (toSplit) reserve(m_, m_.vertexNum + left, m_.faceNum + 2 * left);
+		for (const CountChange& op : operations) {
+			if (num_ == wanted_) return;
+			if (!isDeadFace(m_, op.halfEdge / 3) && fits(op.halfEdge)) make(op, toSplit);
+		}
+	}
+
+	/// Splits or collapses an edge. False if this is not allowed now.
+	bool make(const CountChange& op, bool toSplit)
+	{
+		const std::int64_t step   = stepOf(op.halfEdge);
+		const bool         isMade = toSplit ? split(op) : collapse(op.halfEdge);
+		if (isMade) num_ += toSplit ? step : -step;
+		return isMade;
 	}
 
 	// ---- splitting
 
-	void splitRound()
+	bool split(const CountChange& op)
 	{
-		beginRound();
-		const std::vector<CountChange> operations =
-			operationsOfRound(leftNum(), [&](int h, int most) { return findSplit(h, most); });
-		const int left = int(std::abs(wanted_ - num_));
-		reserve(m_, m_.vertexNum + left, m_.faceNum + 2 * left);
-		for (const CountChange& op : operations) {
-			if (num_ == wanted_) return;
-			const std::int64_t step = stepOf(op.halfEdge);
-			if (!fits(op.halfEdge)) continue;
-			if (m_.isBorderEdge(op.halfEdge) ? splitAtBorder(op.halfEdge) : splitInside(op))
-				num_ += step;
-		}
+		return m_.isBorderEdge(op.halfEdge) ? splitAtBorder(op.halfEdge) : splitInside(op);
 	}
 
 	bool isSplittableBorder(int h) const
@@ -246,34 +259,20 @@ private:
 		return best;
 	}
 
-	/// The half-edge of an edge of the quadrilateral, before the split.
-	int quadHalfEdge(int h, int quadEdge) const
+	/// The vertex beyond the edge of a bit, before the split; or -1.
+	int beyond(int h, int bit) const
 	{
-		const int g = m_.opposite[h];
-		switch (quadEdge) {
-		case WC:
-			return prevInFace(h);
-		case XC:
-			return nextInFace(h);
-		case WD:
-			return nextInFace(g);
-		default:
-			return prevInFace(g);
-		}
-	}
-
-	/// The vertex beyond an edge of the quadrilateral, or -1.
-	int beyond(int h, int quadEdge) const
-	{
-		const int out = m_.opposite[quadHalfEdge(h, quadEdge)];
+		const int g       = m_.opposite[h];
+		const int edges[] = {prevInFace(h), nextInFace(h), nextInFace(g), prevInFace(g)};
+		const int out     = m_.opposite[edges[bit]];
 		return out < 0 ? -1 : m_.apex(out);
 	}
 
 	bool patternAllowed(int h, int pattern) const
 	{
-		for (int edge : {WC, XC, WD, XD}) {
-			if (!(pattern & edge)) continue;
-			const int y = beyond(h, edge);
+		for (int bit = 0; bit < 4; ++bit) {
+			if (!(pattern >> bit & 1)) continue;
+			const int y = beyond(h, bit);
 			if (y < 0 || !flat_[y]) return false;
 		}
 		const int lostW = !!(pattern & WC) + !!(pattern & WD);
@@ -323,7 +322,7 @@ private:
 			e.apexes[k][1] = 0;
 		}
 		for (int k = 0; k < 4; ++k) {
-			const int y = beyond(h, 1 << k);
+			const int y = beyond(h, k);
 			e.beyond[k] = y < 0 ? 0 : by(valence_[y], 1); // no flip is allowed there
 		}
 		return e;
@@ -333,30 +332,23 @@ private:
 	{
 		const int h = op.halfEdge;
 		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		if (isUsed(w) || isUsed(x) || isUsed(c) || isUsed(d)) return false;
-		int touched[4];
-		int touchedNum = 0;
-		for (int edge : {WC, XC, WD, XD}) {
-			if (!(op.pattern & edge)) continue;
-			const int y = beyond(h, edge);
-			if (isUsed(y)) return false;
-			touched[touchedNum++] = y;
+		std::vector<int> touched = {w, x, c, d};
+		for (int bit = 0; bit < 4; ++bit) {
+			if (op.pattern >> bit & 1) touched.push_back(beyond(h, bit));
 		}
+		if (std::any_of(touched.begin(), touched.end(), [&](int u) { return isUsed(u); }))
+			return false;
 		ResultVertex middle;
 		if (!findMiddle(surface_, r_, w, x, middle)) return false;
 
-		const int oldFaces = m_.faceNum;
-		const int v        = append(middle);
-		const int g        = m_.opposite[h];
-		splitEdge(m_, h, v);
-		if (op.pattern & WC) flipAfterSplit(prevInFace(h));
-		if (op.pattern & XC) flipAfterSplit(3 * oldFaces + 1);
-		if (op.pattern & WD) flipAfterSplit(nextInFace(g));
-		if (op.pattern & XD) flipAfterSplit(3 * oldFaces + 5);
-		for (int u : {w, x, c, d})
+		const int g = m_.opposite[h], added = m_.halfEdgeNum();
+		splitEdge(m_, h, append(middle));
+		const int edges[] = {prevInFace(h), added + 1, nextInFace(g), added + 5};
+		for (int bit = 0; bit < 4; ++bit) {
+			if (op.pattern >> bit & 1) flipAfterSplit(edges[bit]);
+		}
+		for (int u : touched)
 			used_[u] = 1;
-		for (int i = 0; i < touchedNum; ++i)
-			used_[touched[i]] = 1;
 		return true;
 	}
 
@@ -473,19 +465,7 @@ private:
 
 	// ---- collapsing
 
-	void collapseRound()
-	{
-		beginRound();
-		for (const CountChange& op :
-			 operationsOfRound(leftNum(), [&](int h, int) { return findCollapse(h); })) {
-			if (num_ == wanted_) return;
-			if (isDeadFace(m_, op.halfEdge / 3)) continue;
-			const int          h    = op.halfEdge;
-			const std::int64_t step = stepOf(h);
-			if (!fits(h)) continue;
-			if (m_.isBorderEdge(h) ? collapseAtBorder(h) : collapseInside(h)) num_ -= step;
-		}
-	}
+	bool collapse(int h) { return m_.isBorderEdge(h) ? collapseAtBorder(h) : collapseInside(h); }
 
 	std::optional<CountChange> findCollapse(int h) const
 	{
@@ -540,7 +520,7 @@ private:
 		if (!shapesAllowCollapse(a, b, survivor.point.position)) return false;
 		markRing(a);
 		markRing(b);
-		collapse(m_, h);
+		gpr::collapse(m_, h);
 		r_.vertex[b]   = survivor;
 		m_.position[b] = survivor.point.position;
 		++r_.collapseNum;
@@ -596,11 +576,7 @@ private:
 		reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
 		for (const bool toSplit : {true, false}) {
 			for (const CountChange& op : borderEdges(toSplit)) {
-				const std::int64_t step = stepOf(op.halfEdge);
-				if (!(toSplit ? splitAtBorder(op.halfEdge) : collapseAtBorder(op.halfEdge)))
-					continue;
-				num_ += toSplit ? step : -step;
-				return;
+				if (make(op, toSplit)) return;
 			}
 		}
 	}
