@@ -596,7 +596,7 @@ bool raiseAngles(OnMesh& on, float angleDeg)
 	Assignment           assignment(on.surface, map, on.result.mesh.faceNum);
 	std::int64_t         work = 100000000;
 	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	return search.run(smallAngles(search, angleDeg * radians, keepingCount));
+	return search.run(smallAngles(search, angleDeg * radians));
 }
 
 } // namespace

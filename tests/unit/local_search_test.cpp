@@ -53,7 +53,7 @@ void raiseAngles(OnSurface& on)
 	Assignment           assignment(on.surface, map, on.m().faceNum);
 	std::int64_t         work = 100000000;
 	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	search.run(smallAngles(search, 32 * radians, keepingCount));
+	search.run(smallAngles(search, 32 * radians));
 }
 
 std::vector<int> tableOf(const HalfEdgeMesh& m)
@@ -91,7 +91,7 @@ TEST(LocalSearches, TellABudgetOnlyIfItLeavesBadFaces)
 		OnSurface    on(mesh);
 		std::int64_t work = 100000000;
 		LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, on.workers);
-		Goal         goal    = smallAngles(search, 32 * radians, keepingCount);
+		Goal         goal    = smallAngles(search, 32 * radians);
 		goal.budget.attempts = attempts;
 		const bool isDone    = search.run(goal);
 		isLeft               = !search.findBad(goal).empty();
@@ -318,7 +318,7 @@ TEST(LocalSearch, OfManyFacesDoesNotDependOnThreads)
 		const double before = on.minAngleDeg();
 		std::int64_t work   = 100000000;
 		LocalSearch  search(on.surface, on.boundary, nullptr, work, on.result, workers);
-		Goal         goal   = smallAngles(search, 30 * radians, keepingCount);
+		Goal         goal   = smallAngles(search, 30 * radians);
 		const auto   badNum = search.findBad(goal).size();
 		ASSERT_GT(badNum, 100u) << "else nothing is tested";
 		search.run(goal);

@@ -88,28 +88,15 @@ constexpr float costOfContact = 2;
 /// Smaller angles cost.
 constexpr float wantedBesideContacts = 30 * radians;
 
-// ---- limits
-
-Acceptance guardedLimits(Driver driver, float angle, float guardedDistance)
-{
-	Acceptance limits = acceptanceOf(driver, angle);
-	limits.guarded    = guardedDistance;
-	return limits;
-}
+// ---- operations
 
 const std::vector<float> shortSteps = {0.12f, 0.03f};
 const std::vector<float> longSteps  = {0.5f, 0.25f, 0.1f};
 
-bool changesCount(const std::vector<Operation::Kind>& operations)
-{
-	return std::find(operations.begin(), operations.end(), Operation::Split) != operations.end();
-}
+/// Operations that keep the number of vertices.
+const std::vector<Operation::Kind> keepingCount = {Operation::Move, Operation::Flip};
 
 } // namespace
-
-const std::vector<Operation::Kind> keepingCount  = {Operation::Move, Operation::Flip};
-const std::vector<Operation::Kind> changingCount = {Operation::Split, Operation::Attach,
-													Operation::Collapse, Operation::CollapseBack};
 
 Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 {
@@ -141,19 +128,27 @@ Goal facesWithoutArea(LocalSearch& search)
 	return goal;
 }
 
-Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
-				 float guardedDistance)
+Goal smallAngles(LocalSearch& search, float angle)
 {
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
 	goal.isBad          = PoorFaceTest(m, angle);
 	goal.faceCost       = LackOfAngle(m, angle);
-	goal.operations     = operations;
-	goal.takesFirst     = !changesCount(operations);
-	goal.maxLeft        = changesCount(operations) ? 0.8f : 0.995f;
+	goal.operations     = keepingCount;
+	goal.takesFirst     = true;
 	goal.stepLengths    = shortSteps;
-	goal.limits         = guardedLimits(Driver::PoorFaces, angle, guardedDistance);
+	goal.limits         = acceptanceOf(Driver::PoorFaces, angle);
 	goal.budget.maxLeft = 0.95f; // more rounds would cost more than the gain
+	return goal;
+}
+
+Goal smallAnglesByCount(LocalSearch& search, float angle)
+{
+	Goal goal       = smallAngles(search, angle);
+	goal.operations = {Operation::Split, Operation::Attach, Operation::Collapse,
+					   Operation::CollapseBack};
+	goal.takesFirst = false;
+	goal.maxLeft    = 0.8f;
 	return goal;
 }
 
@@ -179,16 +174,16 @@ float asPoorAs(float smallestAngle)
 	return float(pi) - share * smallestAngle;
 }
 
-Goal largeAngles(LocalSearch& search, float angle, float guardedDistance)
+Goal largeAngles(LocalSearch& search, float angle)
 {
 	const HalfEdgeMesh& m       = search.mesh();
 	const float         largest = asPoorAs(angle);
-	Goal                goal    = smallAngles(search, angle, keepingCount, guardedDistance);
+	Goal                goal    = smallAngles(search, angle);
 	goal.isBad                  = [&m, largest](int f) { return obtuseAngle(m, f) > largest; };
 	goal.faceCost               = [&m, lack = LackOfAngle(m, angle), largest](int f) {
         return lack(f) + excessOfAngle(m, f, largest);
 	};
-	goal.limits = guardedLimits(Driver::LargeAngles, angle, guardedDistance);
+	goal.limits = acceptanceOf(Driver::LargeAngles, angle);
 	return goal;
 }
 

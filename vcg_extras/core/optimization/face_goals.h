@@ -5,14 +5,11 @@
 
 #include <vcg_extras/core/edit/local_search.h>
 
-#include <vector>
+#include <functional>
 
 namespace gpr {
 
 // The goals of local searches. face_goals.cpp lists the limits of all goals side by side.
-
-/// Operations that keep the number of vertices, and operations that change the number.
-extern const std::vector<Operation::Kind> keepingCount, changingCount;
 
 /// Goal against faces that are inverted, lie across a feature line or are degenerate. The
 /// retriangulation leaves such faces on parts thinner than the triangles are long: fingers, rims,
@@ -24,9 +21,10 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse);
 Goal facesWithoutArea(LocalSearch& search);
 
 /// Goal against faces with an angle below `angle` (radians). Minimises the sum over the faces of
-/// the squared lack of the smallest angle. guardedDistance: see Acceptance::guarded.
-Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
-				 float guardedDistance = HUGE_VALF);
+/// the squared lack of the smallest angle.
+Goal smallAngles(LocalSearch& search, float angle);
+/// The same by operations that change the number of vertices.
+Goal smallAnglesByCount(LocalSearch& search, float angle);
 
 /// Goal against contacts of the wanted faces with other faces. Minimises the number of contacts
 /// plus the sum over the faces of the squared lack of the smallest angle.
@@ -37,9 +35,8 @@ float asPoorAs(float smallestAngle);
 
 /// Goal against faces with a largest angle above asPoorAs(angle). Minimises the sum over the faces
 /// of the squared excess of the largest angle and the squared lack of the smallest angle; no angle
-/// falls below `angle` (radians), and smaller angles do not fall further. guardedDistance: see
-/// Acceptance::guarded.
-Goal largeAngles(LocalSearch& search, float angle, float guardedDistance = HUGE_VALF);
+/// falls below `angle` (radians), and smaller angles do not fall further.
+Goal largeAngles(LocalSearch& search, float angle);
 
 } // namespace gpr
 

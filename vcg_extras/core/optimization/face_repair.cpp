@@ -93,7 +93,10 @@ public:
 	{
 		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
 		if (!fewPoor.holds(poorNum, r_.mesh)) return false;
-		const bool isDone = raiseAngles();
+		// A share of the work is left for later searches.
+		std::int64_t work = std::int64_t(shareOfAngles * double(work_));
+		work_ -= work;
+		const bool isDone = raiseAngles(work);
 		now_              = poorness();
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
@@ -115,26 +118,22 @@ private:
 	ResultMesh&           r_;
 	Workers&              workers_;
 
-	/// The distance at which an input vertex is guarded: close to the largest distance of the mesh.
-	float guarded() const
+	/// A goal with limits on distances. An input vertex is guarded close to the largest distance of
+	/// the mesh.
+	Goal limited(Goal goal) const
 	{
 		constexpr float share = 0.7f;
-		return wanted_.largestGap > 0 ? share * wanted_.largestGap : HUGE_VALF;
+		if (wanted_.largestGap > 0) goal.limits.guarded = share * wanted_.largestGap;
+		if (wanted_.maxGap > 0) goal.limits.gap = wanted_.maxGap;
+		return goal;
 	}
 
-	/// Raises angles, with a share of the work left for later searches.
-	bool raiseAngles()
+	/// Raises angles by moves and flips. work: left, counts down.
+	bool raiseAngles(std::int64_t& work)
 	{
-		std::int64_t work = std::int64_t(shareOfAngles * double(work_));
-		work_ -= work;
-		Assignment  assignment(surface_, map_, mapFaceNum_);
+		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
 		LocalSearch search(surface_, curves_, &assignment, work, r_, workers_);
-		return raiseAngles(search);
-	}
-
-	bool raiseAngles(LocalSearch& search)
-	{
-		Goal goal = smallAngles(search, angle_, keepingCount, guarded());
+		Goal        goal = limited(smallAngles(search, angle_));
 		if (!(wanted_.maxGap > 0)) return search.run(goal);
 		bool isDone = true;
 		for (float share : sharesOfMaxGap) {
@@ -151,9 +150,7 @@ private:
 		if (findObtuseFaces(r_.mesh, asPoorAs(angle_), workers_).empty()) return true;
 		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
 		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
-		Goal        goal = largeAngles(search, angle_, guarded());
-		if (wanted_.maxGap > 0) goal.limits.gap = wanted_.maxGap;
-		return search.run(goal);
+		return search.run(limited(largeAngles(search, angle_)));
 	}
 
 	/// Changes the count at poor faces. Returns false and restores the result if this does not
@@ -184,9 +181,7 @@ private:
 		followCompaction();
 		compactResult(r_, workers_);
 		if (!isReached) return false;
-		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
-		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
-		raiseAngles(search);
+		raiseAngles(work_);
 		return true;
 	}
 
@@ -197,8 +192,7 @@ private:
 		Assignment   assignment(surface_, map_, mapFaceNum_, mapFace_);
 		std::int64_t work = work_;
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
-		Goal         angles = smallAngles(search, angle_, changingCount, guarded());
-		if (wanted_.maxGap > 0) angles.limits.gap = wanted_.maxGap;
+		Goal         angles    = limited(smallAnglesByCount(search, angle_));
 		angles.budget.attempts = attemptsByCount;
 		if (fewForCount.holds(search.findBad(angles).size(), r_.mesh)) search.run(angles);
 		work_                  = work;
@@ -298,23 +292,16 @@ bool looksInside(const Surface& surface, const ResultMesh& r, int first)
 	return sum < 0;
 }
 
-bool hasCreases(const HalfEdgeMesh& m, int first)
-{
-	bool has = false;
-	for (int h = 3 * first; h < 3 * first + 3; ++h) {
-		const int g = m.opposite[h];
-		has         = has || m.isCreaseEdge(g) || m.isCreaseEdge(g - g % 3 + (g + 1) % 3);
-	}
-	return has;
-}
-
 /// Turns tetrahedra that look inside. Small components become tetrahedra, and four joined samples
 /// may look inside as a whole; an exchange of two vertices turns the tetrahedron.
 void turnTetrahedra(const Surface& surface, ResultMesh& r, Workers& workers)
 {
 	HalfEdgeMesh&          m     = r.mesh;
 	const std::vector<int> first = workers.collectIf(std::size_t(m.faceNum), [&](int f) {
-		return isFirstOfTetrahedron(m, f) && !hasCreases(m, f) && looksInside(surface, r, f);
+		const auto isAtCrease = [&](int v) { return m.isCreaseVertex(v); };
+		return isFirstOfTetrahedron(m, f) &&
+			   std::none_of(&m.origin[3 * f], &m.origin[3 * f] + 3, isAtCrease) &&
+			   looksInside(surface, r, f);
 	});
 	for (int f : first) {
 		const int a = m.origin[3 * f], b = m.origin[3 * f + 1];
@@ -349,7 +336,7 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	if (findPoorFaces(result.mesh, angle, workers).empty()) return true;
 	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
-	Goal         goal = smallAngles(search, angle, keepingCount);
+	Goal         goal = smallAngles(search, angle);
 	// Faces with the normals of the surface are near the surface, and intersect no other faces.
 	goal.limits = acceptanceOf(Driver::AnglesOnly);
 	return search.run(goal);

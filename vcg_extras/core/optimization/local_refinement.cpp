@@ -109,9 +109,10 @@ public:
 
 	void split(const Split& wanted)
 	{
-		if (trySplit(wanted.edge, wanted.point)) return;
-		for (const Edge& edge : othersBeside(wanted.edge)) {
-			if (trySplit(edge, wanted.point)) return;
+		for (const Edge& edge : edgesToTry(wanted.edge)) {
+			for (const Place place : {Place::AtPoint, Place::OnSurface, Place::OnEdge}) {
+				if (trySplit(edge, place, wanted.point)) return;
+			}
 		}
 	}
 
@@ -139,27 +140,19 @@ private:
 		}
 	};
 
-	/// The other edges of the faces of an edge, tried next if the edge is a curve that admits no
-	/// vertex because the samples of the curve would be too close to each other.
-	std::vector<Edge> othersBeside(const Edge& edge) const
+	/// An edge, then the other edges of its faces, for an edge of a curve that admits no vertex
+	/// because the samples of the curve would be too close to each other.
+	std::vector<Edge> edgesToTry(const Edge& edge) const
 	{
-		std::vector<Edge> others;
-		const int         h = m_.findEdge(edge.first, edge.second);
-		if (h < 0) return others;
+		std::vector<Edge> edges = {edge};
+		const int         h     = m_.findEdge(edge.first, edge.second);
+		if (h < 0) return edges;
 		for (int side : {h, int(m_.opposite[h])}) {
 			if (side < 0) continue;
 			for (int other : {nextInFace(side), prevInFace(side)})
-				others.push_back(std::minmax(int(m_.origin[other]), m_.target(other)));
+				edges.push_back(std::minmax(int(m_.origin[other]), m_.target(other)));
 		}
-		return others;
-	}
-
-	bool trySplit(const Edge& edge, const FarPoint& point)
-	{
-		for (const Place place : {Place::AtPoint, Place::OnSurface, Place::OnEdge}) {
-			if (trySplit(edge, place, point)) return true;
-		}
-		return false;
+		return edges;
 	}
 
 	/// Splits an edge. False if faces would be inverted or intersect other faces, or if the point
@@ -265,10 +258,8 @@ private:
 	void lower(int v)
 	{
 		if (!isFree(v)) return;
-		PatchEditor::VertexState state  = editor_.stateOf(v);
-		const Vec3f              height = state.position - state.record.point.position;
-		state.position                  = state.record.point.position + height * heightKept;
-		editor_.put(v, state);
+		const Vec3f below = editor_.result().vertex[v].point.position;
+		moveTo(below + (m_.position[v] - below) * heightKept, v);
 	}
 };
 
@@ -289,9 +280,9 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 	Assignment           assignment(surface, map, result.mesh.faceNum);
 	std::int64_t         work = workOfAngles;
 	LocalSearch          search(surface, curves, &assignment, work, result, workers);
-	Goal                 goal =
-		smallAngles(search, settings.minAngle, keepingCount, guardedShare * settings.maxGap);
-	goal.limits.gap = settings.maxGap;
+	Goal                 goal = smallAngles(search, settings.minAngle);
+	goal.limits.guarded       = guardedShare * settings.maxGap;
+	goal.limits.gap           = settings.maxGap;
 	search.run(goal);
 	lowerWorstDistances(surface, map, settings.minAngle, worstRounds, result, workers,
 						settings.maxGap);
