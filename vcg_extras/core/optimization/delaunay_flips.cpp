@@ -59,9 +59,8 @@ std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 /// The edges to flip, as the smaller half-edge of each.
 std::vector<int> findFlips(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.collectEach<int>(m.halfEdgeNum(), [&](int h, auto& out) {
-		if (m.opposite[h] > h && improvesAngles(m, h)) out.push_back(h);
-	});
+	return workers.collectIf(m.halfEdgeNum(),
+							 [&](int h) { return m.opposite[h] > h && improvesAngles(m, h); });
 }
 
 std::int64_t flipOnce(HalfEdgeMesh& m, const std::vector<int>& candidates)

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -23,6 +24,8 @@ constexpr double provable = 0.97;
 constexpr double mostAdded = 0.15;
 /// Each round halves triangles that are still too large. Six rounds suffice, except at thin spikes.
 constexpr int mostRounds = 12;
+/// Rounds in a row that may leave no fewer points than an earlier round.
+constexpr int mostLostRounds = 2;
 /// Passes over the faces beyond the goal, before the first round.
 constexpr int facePasses = 2;
 /// Smaller angles beside new vertices are raised. Moves to far points may leave smaller angles,
@@ -85,27 +88,6 @@ private:
 	}
 };
 
-/// Tells whether rounds still help: the number of points must fall.
-class FallingNumber {
-public:
-	bool goesOn(std::size_t pointNum)
-	{
-		if (pointNum < fewest_) {
-			fewest_ = pointNum;
-			lost_   = 0;
-		}
-		else
-			++lost_;
-		return pointNum > 0 && lost_ < mostLostRounds;
-	}
-
-private:
-	static constexpr int mostLostRounds = 2;
-
-	std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-	int         lost_   = 0; ///< rounds since the last fall
-};
-
 } // namespace
 
 bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
@@ -113,9 +95,9 @@ bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double g
 {
 	const double          limit = provable * goal;
 	const FarPointSearch  search(surface, limit, workers);
-	FallingNumber         pointNum;
 	std::vector<FarPoint> points;
-	std::size_t           before = std::numeric_limits<std::size_t>::max();
+	std::size_t           before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
+	int                   lostRounds = 0;
 	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
 						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
@@ -129,11 +111,11 @@ bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double g
 		before               = points.size();
 		if (left.empty() && hasFallen) continue;
 		if (left.empty()) left = points;
-		if (!pointNum.goesOn(left.size())) break;
-		LocalRefinement settings;
-		settings.minAngle = raisedAngle;
-		settings.maxGap   = float(limit);
-		settings.mostNew  = int(mostAdded * result.mesh.vertexNum);
+		lostRounds = left.size() < fewestLeft ? 0 : lostRounds + 1;
+		fewestLeft = std::min(fewestLeft, left.size());
+		if (lostRounds == mostLostRounds) break;
+		const LocalRefinement settings = {raisedAngle, float(limit),
+										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
 	return points.empty();

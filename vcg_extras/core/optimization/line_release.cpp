@@ -32,12 +32,6 @@ std::vector<int> facesAtLines(const HalfEdgeMesh& m, Workers& workers)
 	return workers.collectIf(m.faceNum, isAtLine);
 }
 
-/// The poor faces at lines.
-std::vector<int> poorAtLines(float angleDeg, const HalfEdgeMesh& m, Workers& workers)
-{
-	return poorOnes(m, angleDeg * radians, facesAtLines(m, workers));
-}
-
 std::vector<int> verticesNear(const HalfEdgeMesh& m, const std::vector<int>& faces)
 {
 	std::vector<int> vertices = verticesOf(m, faces);
@@ -118,8 +112,9 @@ std::int64_t releaseLines(float angleDeg, ResultMesh& result, Workers& workers)
 {
 	const HalfEdgeMesh& m = result.mesh;
 	if (!m.hasCreases()) return 0;
-	std::int64_t releasedNum = 0;
-	for (int v : takeMarksOff(verticesNear(m, poorAtLines(angleDeg, m, workers)), result)) {
+	const std::vector<int> poor        = poorOnes(m, angleDeg * radians, facesAtLines(m, workers));
+	std::int64_t           releasedNum = 0;
+	for (int v : takeMarksOff(verticesNear(m, poor), result)) {
 		if (m.isCurveVertex(v)) continue;
 		ResultVertex& record = result.vertex[v];
 		record.curve         = -1;

@@ -123,19 +123,14 @@ private:
 	}
 };
 
-std::vector<int> crowdedVertices(const Buffer<int>& valence, const Buffer<char>& flat,
-								 Workers& workers)
-{
-	return workers.collectIf(valence.size(), [&](int v) { return valence[v] >= 7 && flat[v]; });
-}
-
 } // namespace
 
 std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth)
 {
 	const Buffer<char>     flat    = findFlatVertices(result.mesh, workers);
 	Buffer<int>            valence = correctedValences(result.mesh, workers);
-	const std::vector<int> crowded = crowdedVertices(valence, flat, workers);
+	const std::vector<int> crowded =
+		workers.collectIf(valence.size(), [&](int v) { return valence[v] >= 7 && flat[v]; });
 	const ColouredGrid cells = cutIntoGridCells(result.mesh, crowded, cellWidth * result.idealEdge);
 
 	Buffer<std::int64_t> chains(crowded.size(), 0), flips(crowded.size(), 0);
