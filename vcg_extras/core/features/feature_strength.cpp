@@ -18,9 +18,9 @@ constexpr int maxCrossings = 256;
 /// Six rays in the middle of sectors of 30°. The number is even: a ray at right angles would run
 /// straight into the apex of every symmetric triangle, and rounding would decide on which side it
 /// passes.
-constexpr RayDirection rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
-								 {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
-								 {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
+constexpr PlanePoint rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
+							   {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
+							   {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
 
 constexpr int rayNum = int(sizeof(rays) / sizeof(rays[0]));
 
@@ -77,7 +77,7 @@ private:
 			}
 			if (parting < b.end) branch(b, parting);
 			b.end = parting;
-			if (!dropArrived(b) || !f.crossBC(m_)) return;
+			if (!dropArrived(b) || !f.goOver(true, m_)) return;
 		}
 	}
 
@@ -101,7 +101,7 @@ private:
 		Bundle& other = pending_[pendingNum_];
 		other         = b;
 		other.first   = first;
-		if (dropArrived(other) && other.face.crossCA(m_)) ++pendingNum_;
+		if (dropArrived(other) && other.face.goOver(false, m_)) ++pendingNum_;
 	}
 
 	/// Drops rays that have reached the support. Only rays at the two ends of a bundle can have

@@ -42,10 +42,15 @@ double convexBound(const Triangle& piece, const Triangle& other)
 	return std::sqrt(squared);
 }
 
-double longestEdge(const Triangle& t)
+std::array<double, 3> squaredEdges(const Triangle& t)
 {
-	return std::sqrt(std::max(
-		{squaredLength(t[1] - t[0]), squaredLength(t[2] - t[1]), squaredLength(t[0] - t[2])}));
+	return {squaredLength(t[1] - t[0]), squaredLength(t[2] - t[1]), squaredLength(t[0] - t[2])};
+}
+
+/// The place of the largest of three values.
+std::size_t largestOf(const std::array<double, 3>& value)
+{
+	return std::size_t(std::max_element(value.begin(), value.end()) - value.begin());
 }
 
 /// Bounds of a group, a triangle or a piece.
@@ -65,6 +70,8 @@ struct Piece {
 									 ///< piece
 	int    depth;
 	double bound;
+
+	double farthest() const { return distance[largestOf(distance)]; }
 };
 
 bool isBoundSmaller(const Piece& a, const Piece& b)
@@ -185,11 +192,10 @@ private:
 	/// A group outside of the regions counts as near.
 	Finding ofGroup(int level, int i) const
 	{
-		const Box<float>& own = from_.groupBox(level, i);
-		if (!isInRegions({Vec3d(own.low), Vec3d(own.high)})) return {0, 0, 0};
+		const Box<float>& box = from_.groupBox(level, i);
+		if (!isInRegions({Vec3d(box.low), Vec3d(box.high)})) return {0, 0, 0};
 		const Vec3d                 p    = centreOf(from_.triangle(from_.groupBegin(level, i)));
 		const TriangleTree::Nearest near = to_.nearest(p);
-		const Box<float>&           box  = from_.groupBox(level, i);
 		const Vec3d  farthest(std::max(double(box.high.x) - p.x, p.x - double(box.low.x)),
 							  std::max(double(box.high.y) - p.y, p.y - double(box.low.y)),
 							  std::max(double(box.high.z) - p.z, p.z - double(box.low.z)));
@@ -245,20 +251,17 @@ private:
 		const Triangle& t = from_.triangle(face.triangle);
 		place = {centreOf(t), found.seen, 0.5 * length(cross(t[1] - t[0], t[2] - t[0]))};
 		for (std::size_t k = 0; k < 3; ++k) {
-			for (const Vec3d& p : {t[k], (t[k] + t[(k + 1) % 3]) * 0.5}) {
-				const double distance = std::sqrt(to_.nearest(p, found.nearest).squared);
-				if (distance > place.distance) place.position = p;
-				place.distance = std::max(place.distance, distance);
-			}
+			for (const Vec3d& p : {t[k], (t[k] + t[(k + 1) % 3]) * 0.5})
+				takeIfFarther(p, std::sqrt(to_.nearest(p, found.nearest).squared), place);
 		}
-		if (place.distance <= limit) lookCloser(face, found, limit, place);
+		if (place.distance <= limit) lookCloser(face.triangle, found, limit, place);
 		return place;
 	}
 
 	/// Cuts a triangle with seven near points until all pieces are near or a point is far.
-	void lookCloser(const Face& face, const Finding& found, double limit, FarPlace& place) const
+	void lookCloser(int triangle, const Finding& found, double limit, FarPlace& place) const
 	{
-		std::vector<Piece> open = {wholeFace({face.triangle, found.nearest}, found.bound)};
+		std::vector<Piece> open = {wholeFace(triangle, found)};
 		for (int cutNum = 0; cutNum < maxCutsOfPlace && !open.empty(); ++cutNum) {
 			std::swap(open.back(), *std::max_element(open.begin(), open.end(), isBoundSmaller));
 			const Piece whole = open.back();
@@ -266,7 +269,8 @@ private:
 			Piece half[2];
 			cut(whole, half[0], half[1]);
 			for (Piece& piece : half) {
-				takeFarther(piece, place);
+				for (std::size_t k = 0; k < 3; ++k)
+					takeIfFarther(piece.corner[k], piece.distance[k], place);
 				if (place.distance > limit) return;
 				bound(piece, limit);
 				if (piece.bound > limit) open.push_back(piece);
@@ -274,14 +278,11 @@ private:
 		}
 	}
 
-	/// Moves the place to a corner of the piece if the corner is farther.
-	static void takeFarther(const Piece& piece, FarPlace& place)
+	static void takeIfFarther(const Vec3d& p, double distance, FarPlace& place)
 	{
-		for (std::size_t k = 0; k < 3; ++k) {
-			if (piece.distance[k] <= place.distance) continue;
-			place.distance = piece.distance[k];
-			place.position = piece.corner[k];
-		}
+		if (!(distance > place.distance)) return;
+		place.distance = distance;
+		place.position = p;
 	}
 
 	void lookAtFaces(std::size_t begin, std::size_t end)
@@ -293,38 +294,28 @@ private:
 		});
 		for (const Finding& f : found)
 			lower_ = std::max(lower_, f.seen);
-		std::vector<Face>   left;
-		std::vector<double> bound;
-		for (std::size_t i = begin; i < end; ++i) {
-			if (isDone(found[i - begin].bound)) continue;
-			left.push_back({faces_[i].triangle, found[i - begin].nearest});
-			bound.push_back(found[i - begin].bound);
-		}
-		addPieces(left, bound);
-	}
-
-	void addPieces(const std::vector<Face>& faces, const std::vector<double>& bound)
-	{
+		std::vector<std::size_t> open;
+		for (std::size_t i = 0; i < found.size(); ++i)
+			if (!isDone(found[i].bound)) open.push_back(i);
 		const std::size_t before = pieces_.size();
-		pieces_.resize(before + faces.size());
-		workers_.forEach(faces.size(), [&](int i) {
-			pieces_[before + std::size_t(i)] =
-				wholeFace(faces[std::size_t(i)], bound[std::size_t(i)]);
+		pieces_.resize(before + open.size());
+		workers_.forEach(open.size(), [&](int k) {
+			const std::size_t i              = open[std::size_t(k)];
+			pieces_[before + std::size_t(k)] = wholeFace(faces_[begin + i].triangle, found[i]);
 		});
 		for (std::size_t i = before; i < pieces_.size(); ++i)
-			for (const double d : pieces_[i].distance)
-				lower_ = std::max(lower_, d);
+			lower_ = std::max(lower_, pieces_[i].farthest());
 	}
 
-	Piece wholeFace(const Face& face, double bound) const
+	Piece wholeFace(int triangle, const Finding& found) const
 	{
 		Piece piece;
-		piece.corner    = from_.triangle(face.triangle);
-		piece.candidate = face.hint;
+		piece.corner    = from_.triangle(triangle);
+		piece.candidate = found.nearest;
 		piece.depth     = 0;
 		for (std::size_t k = 0; k < 3; ++k)
-			setCorner(piece, k, piece.corner[k], face.hint);
-		piece.bound = std::min(bound, quickBound(piece));
+			setCorner(piece, k, piece.corner[k], found.nearest);
+		piece.bound = std::min(found.bound, quickBound(piece));
 		return piece;
 	}
 
@@ -336,16 +327,31 @@ private:
 		piece.nearest[k]                 = near.triangle;
 	}
 
+	/// A triangle of the other surface, and its bound of a piece.
+	struct Alone {
+		int    triangle;
+		double bound;
+	};
+
+	/// The triangle that bounds the piece best by itself, of the triangles near the corners.
+	Alone bestAlone(const Piece& piece) const
+	{
+		Alone best = {piece.candidate, convexBound(piece.corner, to_.triangle(piece.candidate))};
+		for (const int t : piece.nearest) {
+			if (t == piece.candidate) continue;
+			const double bound = convexBound(piece.corner, to_.triangle(t));
+			if (bound < best.bound) best = {t, bound};
+		}
+		return best;
+	}
+
 	/// Least of the bounds by the triangles near the corners and by the way to the corners.
 	double quickBound(const Piece& piece) const
 	{
-		double bound = convexBound(piece.corner, to_.triangle(piece.candidate));
-		for (std::size_t k = 0; k < 3; ++k)
-			if (piece.nearest[k] != piece.candidate)
-				bound = std::min(bound, convexBound(piece.corner, to_.triangle(piece.nearest[k])));
-		const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+		const std::array<double, 3> edges   = squaredEdges(piece.corner);
+		const double                longest = std::sqrt(edges[largestOf(edges)]);
 		// Every point of a triangle is within longest edge/√3 of a corner.
-		return std::min(bound, farthest + longestEdge(piece.corner) / std::sqrt(3.0));
+		return std::min(bestAlone(piece).bound, piece.farthest() + longest / std::sqrt(3.0));
 	}
 
 	void dropBelowGoal()
@@ -382,8 +388,8 @@ private:
 	/// Sets the bound of a piece and returns the largest distance measured on the piece.
 	double bound(Piece& piece, double goal) const
 	{
-		double seen = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
-		piece.bound = std::min(piece.bound, quickBound(piece));
+		const double seen = piece.farthest();
+		piece.bound       = std::min(piece.bound, quickBound(piece));
 		if (piece.bound <= goal) return seen;
 		const Finding middle = byMiddle(piece.corner, piece.candidate, goal);
 		piece.candidate      = middle.nearest;
@@ -422,27 +428,8 @@ private:
 
 	Cut middleOfLongest(const Piece& piece) const
 	{
-		std::size_t longest = 0;
-		double      most    = -1;
-		for (std::size_t k = 0; k < 3; ++k) {
-			const double squared = squaredLength(piece.corner[(k + 1) % 3] - piece.corner[k]);
-			if (squared > most) longest = k;
-			most = std::max(most, squared);
-		}
+		const std::size_t longest = largestOf(squaredEdges(piece.corner));
 		return {longest, (longest + 1) % 3, 0.5, piece.candidate, piece.candidate};
-	}
-
-	/// The triangle that bounds the piece best by itself, of the triangles near the corners.
-	int bestAlone(const Piece& piece) const
-	{
-		int    best  = piece.candidate;
-		double bound = convexBound(piece.corner, to_.triangle(best));
-		for (const int t : piece.nearest) {
-			const double other = convexBound(piece.corner, to_.triangle(t));
-			if (other < bound) best = t;
-			bound = std::min(bound, other);
-		}
-		return best;
 	}
 
 	/// How much nearer a point is to the second triangle than to the first.
@@ -457,15 +444,12 @@ private:
 	/// edge at this corner has such a point.
 	bool findEqualDistance(const Piece& piece, Cut& c) const
 	{
-		const int   best = bestAlone(piece);
-		std::size_t q    = 0;
-		double      most = -1;
-		for (std::size_t k = 0; k < 3; ++k) {
-			const double squared = squaredDistance(piece.corner[k], to_.triangle(best));
-			if (squared > most) q = k;
-			most = std::max(most, squared);
-		}
-		const int own = piece.nearest[q];
+		const int             best = bestAlone(piece).triangle;
+		std::array<double, 3> squared;
+		for (std::size_t k = 0; k < 3; ++k)
+			squared[k] = squaredDistance(piece.corner[k], to_.triangle(best));
+		const std::size_t q   = largestOf(squared);
+		const int         own = piece.nearest[q];
 		if (own == best) return false;
 		for (const std::size_t p : {(q + 1) % 3, (q + 2) % 3}) {
 			const double before = advantage(piece.corner[p], best, own);

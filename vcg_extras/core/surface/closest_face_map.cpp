@@ -28,6 +28,8 @@ constexpr float strayShare = 0.3f;
 constexpr int maxHops = 4;
 /// Vertices that are flooded together: pieces of fixed size for any number of threads.
 constexpr int pieceSize = 16384;
+/// The entry of a vertex that has left the list of a face.
+constexpr int gone = -1;
 
 /// Breadth-first flood within pieces of consecutive vertices. From piece to piece go offers, all
 /// made before any is taken. The same labels for any number of threads.
@@ -356,31 +358,23 @@ void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 	takeIn(takeLeavers(result.mesh, workers), workers);
 }
 
-namespace {
-
-/// The entry of a vertex that has left a list.
-constexpr int gone = -1;
-
-} // namespace
-
 /// Goes face by face: the terms of the barycentric weights are computed once for all vertices of a
 /// face. Nearly all of these vertices still lie over the face.
 std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMesh& result,
 																Workers&            workers)
 {
 	const TriangleSearch search(surface_, result);
-	const auto           takeFrom = [&](int f, std::vector<Leaver>& out) {
-        const FacePlane plane(result, f);
-        for (int i = start_[f]; i < start_[f + 1]; ++i) {
-            const int p = item_[i];
-            if (isOver(plane, surface_.mesh.position[p], surface_.normal[p].unpack())) continue;
-            const int to = search.locate(p, f).face;
-            if (to == f) continue;
-            out.push_back({p, to});
-            item_[i] = gone;
-        }
-	};
-	return workers.collectEach<Leaver>(result.faceNum, [&](int f, auto& out) { takeFrom(f, out); });
+	return workers.collectEach<Leaver>(result.faceNum, [&](int f, auto& out) {
+		const FacePlane plane(result, f);
+		for (int i = start_[f]; i < start_[f + 1]; ++i) {
+			const int p = item_[i];
+			if (isOver(plane, surface_.mesh.position[p], surface_.normal[p].unpack())) continue;
+			const int to = search.locate(p, f).face;
+			if (to == f) continue;
+			out.push_back({p, to});
+			item_[i] = gone;
+		}
+	});
 }
 
 /// The new list of a face: first the vertices that stayed, then the new vertices.

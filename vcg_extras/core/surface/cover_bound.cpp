@@ -149,21 +149,6 @@ double largestHeightInside(const Window& window, const Seen (&t)[3])
 	return largest;
 }
 
-enum class Side { Inside, Outside, Unsure };
-
-/// Whether a point lies inside of a triangle, seen along the normal.
-Side sideOf(const Seen& p, const Seen (&t)[3], double margin)
-{
-	int left = 0, right = 0;
-	for (std::size_t k = 0; k < 3; ++k) {
-		const int side = sideOfLine(t[k], t[(k + 1) % 3], p, margin);
-		left += side > 0;
-		right += side < 0;
-	}
-	if (left == 3 || right == 3) return Side::Inside;
-	return left > 0 && right > 0 ? Side::Outside : Side::Unsure;
-}
-
 class Cover {
 public:
 	Cover(const Window& window, const TriangleTree& surface, double limit) :
@@ -203,11 +188,18 @@ private:
 		return height <= limit_;
 	}
 
+	/// Counts the triangle if it covers the middle of the piece. False if that is unsure.
 	bool isCounted(const Seen (&t)[3])
 	{
-		const Side side = sideOf(window_.middle(), t, window_.margin());
-		coverNum_ += side == Side::Inside;
-		return side != Side::Unsure;
+		int left = 0, right = 0;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const int side = sideOfLine(t[k], t[(k + 1) % 3], window_.middle(), window_.margin());
+			left += side > 0;
+			right += side < 0;
+		}
+		const bool isOver = left == 3 || right == 3;
+		coverNum_ += isOver;
+		return isOver || (left > 0 && right > 0);
 	}
 
 	bool isFollowed(int triangle, const Seen (&t)[3])

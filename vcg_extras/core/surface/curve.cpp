@@ -11,34 +11,9 @@ namespace gpr {
 
 namespace {
 
-/// A place between two neighbouring points of a curve.
-struct OnSegment {
-	int   from, to;
-	float share; ///< of the way
-};
-
-OnSegment onSegment(const Curve& c, float s)
-{
-	const float w      = c.wrap(s);
-	const int   i      = c.segmentAt(w);
-	const int   next   = (i + 1) % c.pointNum();
-	const float extent = (next > 0 ? c.arc[next] : c.length) - c.arc[i];
-	return {i, next, extent > 0 ? std::clamp((w - c.arc[i]) / extent, 0.0f, 1.0f) : 0.0f};
-}
-
 float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
 	return length(p - a - (b - a) * shareOnSegment(p, a, b));
-}
-
-Vec3f positionOn(const Curve& c, const OnSegment& p)
-{
-	return c.point[p.from] * (1 - p.share) + c.point[p.to] * p.share;
-}
-
-float sizeOn(const Curve& c, const OnSegment& p)
-{
-	return c.size[p.from] * (1 - p.share) + c.size[p.to] * p.share;
 }
 
 /// A place of a curve, and the wanted size there.
@@ -49,8 +24,13 @@ struct Place {
 
 Place placeAt(const Curve& c, float s)
 {
-	const OnSegment p = onSegment(c, s);
-	return {positionOn(c, p), c.size.empty() ? 1 : sizeOn(c, p)};
+	const float w      = c.wrap(s);
+	const int   from   = c.segmentAt(w);
+	const int   to     = (from + 1) % c.pointNum();
+	const float extent = (to > 0 ? c.arc[to] : c.length) - c.arc[from];
+	const float share  = extent > 0 ? std::clamp((w - c.arc[from]) / extent, 0.0f, 1.0f) : 0.0f;
+	return {c.point[from] * (1 - share) + c.point[to] * share,
+			c.size.empty() ? 1 : c.size[from] * (1 - share) + c.size[to] * share};
 }
 
 /// Straight distance of two places over the wanted size between both.
@@ -241,12 +221,12 @@ int Curve::segmentAt(float s) const
 
 Vec3f Curve::at(float s) const
 {
-	return positionOn(*this, onSegment(*this, s));
+	return placeAt(*this, s).position;
 }
 
 float Curve::sizeAt(float s) const
 {
-	return size.empty() ? 1 : sizeOn(*this, onSegment(*this, s));
+	return size.empty() ? 1 : placeAt(*this, s).size;
 }
 
 float Curve::smallestSize() const

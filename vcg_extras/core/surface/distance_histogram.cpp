@@ -56,15 +56,12 @@ double DistanceHistogram::p999(double largest) const
 {
 	std::int64_t total = 0;
 	for (const std::atomic<std::int64_t>& w : weight_)
-		total += w.load(std::memory_order_relaxed);
+		total += w;
 	if (total <= 0) return 0;
-	const std::int64_t mayBeFarther = total / 1000;
-	std::int64_t       farther      = 0;
-	std::size_t        bin          = weight_.size() - 1;
-	while (farther + weight_[bin].load(std::memory_order_relaxed) <= mayBeFarther) {
-		farther += weight_[bin].load(std::memory_order_relaxed);
-		--bin;
-	}
+	std::int64_t mayBeFarther = total / 1000;
+	std::size_t  bin          = weight_.size() - 1;
+	for (; weight_[bin] <= mayBeFarther; --bin)
+		mayBeFarther -= weight_[bin];
 	return std::min(upperEnd(bin), largest);
 }
 

@@ -14,11 +14,7 @@ std::vector<double> runningArea(const MeshView& mesh)
 	std::vector<double> behind(mesh.faceNum);
 	double              area = 0;
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		if (isUsableFace(mesh, f)) {
-			const auto  t = mesh.triangle(f);
-			const Vec3d a = mesh.position(t[0]);
-			area += 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
-		}
+		if (isUsableFace(mesh, f)) area += 0.5 * length(mesh.faceCross(f));
 		behind[f] = area;
 	}
 	return behind;

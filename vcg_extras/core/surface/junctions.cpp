@@ -8,20 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace gpr {
-
-bool Junctions::Line::operator<(const Line& o) const
-{
-	return std::tie(from, to, sheetNum) < std::tie(o.from, o.to, o.sheetNum);
-}
-
-bool Junctions::Line::operator==(const Line& o) const
-{
-	return from == o.from && to == o.to && sheetNum == o.sheetNum;
-}
 
 Junctions::Junctions(const HalfEdgeMesh& mesh, const std::vector<Vec3f>& meetings,
 					 Workers& workers) :
@@ -74,7 +63,6 @@ void Junctions::findEdges()
 	}
 	for (const auto& [ends, num] : borderNum_) {
 		if (num < 2) continue;
-		++edgeNum_;
 		places_[ends.first].next.push_back(ends.second);
 		places_[ends.second].next.push_back(ends.first);
 	}
@@ -126,9 +114,7 @@ bool Junctions::isPoint(const Place& place) const
 Junctions::Line Junctions::followLine(int from, int to, std::map<Ends, bool>& seen,
 									  const std::map<int, int>& pointOf) const
 {
-	const int start = from;
-	Line      line;
-	line.sheetNum = sheetNum(from, to);
+	const int start = from, sheets = sheetNum(from, to);
 	while (true) {
 		seen[std::minmax(from, to)] = true;
 		if (pointOf.count(to) > 0 || to == start) break;
@@ -137,9 +123,9 @@ Junctions::Line Junctions::followLine(int from, int to, std::map<Ends, bool>& se
 		from                         = to;
 		to                           = on;
 	}
-	if (pointOf.count(start) > 0)
-		std::tie(line.from, line.to) = std::minmax(pointOf.at(start), pointOf.at(to));
-	return line;
+	if (pointOf.count(start) == 0) return {-1, -1, sheets};
+	const auto [least, most] = std::minmax(pointOf.at(start), pointOf.at(to));
+	return {least, most, sheets};
 }
 
 void Junctions::findLines()
@@ -185,18 +171,13 @@ std::vector<int> Junctions::touchingVertices() const
 
 bool Junctions::hasTwinFaces(Workers& workers) const
 {
-	const auto cornersOf = [&](int f) {
-		std::array<int, 3> corner{};
-		for (int k = 0; k < 3; ++k)
-			corner[std::size_t(k)] = first_[std::size_t(m_.origin[3 * f + k])];
-		std::sort(corner.begin(), corner.end());
-		return corner;
-	};
 	std::vector<std::array<int, 3>> faces =
 		workers.collectEach<std::array<int, 3>>(std::size_t(m_.faceNum), [&](int f, auto& out) {
-			const std::array<int, 3> corner    = cornersOf(f);
-			const auto               isOfPlace = [&](int v) { return places_.count(v) > 0; };
-			if (std::any_of(corner.begin(), corner.end(), isOfPlace)) out.push_back(corner);
+			const int* v = &m_.origin[3 * f];
+			if (!isOfPlace(v[0]) && !isOfPlace(v[1]) && !isOfPlace(v[2])) return;
+			out.push_back(
+				{first_[std::size_t(v[0])], first_[std::size_t(v[1])], first_[std::size_t(v[2])]});
+			std::sort(out.back().begin(), out.back().end());
 		});
 	std::sort(faces.begin(), faces.end());
 	return std::adjacent_find(faces.begin(), faces.end()) != faces.end();
@@ -204,7 +185,6 @@ bool Junctions::hasTwinFaces(Workers& workers) const
 
 std::vector<int> Junctions::falseEdges(Workers& workers) const
 {
-	const auto isOfPlace = [&](int v) { return places_.count(first_[std::size_t(v)]) > 0; };
 	const std::vector<int> chords = workers.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
 		return !isDeadFace(m_, h / 3) && h < m_.opposite[h] &&
 			   (isOfPlace(m_.origin[h]) || isOfPlace(m_.target(h)));

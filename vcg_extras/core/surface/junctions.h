@@ -7,6 +7,7 @@
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,22 +25,11 @@ namespace gpr {
 /// numbers of sheets join the same points.
 class Junctions {
 public:
-	struct Line {
-		int from = -1, to = -1; ///< points, the smaller first; -1: a loop
-		int sheetNum = 0;
-
-		bool operator<(const Line& o) const;
-		bool operator==(const Line& o) const;
-	};
-
 	/// meetings: positions in ascending order, see IndexedMesh. Cost: a parallel pass over the
 	/// mesh, and O(B log B) for B border vertices, serial.
 	Junctions(const HalfEdgeMesh& mesh, const std::vector<Vec3f>& meetings, Workers& workers);
 
-	const std::vector<Vec3f>& points() const { return points_; } ///< ascending
-	const std::vector<Line>&  lines() const { return lines_; }   ///< ascending
-	int                       edgeNum() const { return edgeNum_; }
-	bool                      isSameAs(const Junctions& other) const;
+	bool isSameAs(const Junctions& other) const;
 
 	/// Per vertex its first copy: for most vertices the vertex itself.
 	const std::vector<int>& first() const { return first_; }
@@ -56,6 +46,8 @@ public:
 
 private:
 	using Ends = std::pair<int, int>; ///< first vertices of two places, ascending
+	/// The two points, the smaller first, or -1 twice for a loop; and the number of sheets.
+	using Line = std::tuple<int, int, int>;
 	/// A place with copies.
 	struct Place {
 		std::vector<int> vertices;
@@ -68,14 +60,15 @@ private:
 	std::vector<int>     first_;
 	std::map<int, Place> places_;    ///< by the first vertex
 	std::map<Ends, int>  borderNum_; ///< of borders between two places with copies
-	std::vector<Vec3f>   points_;
-	std::vector<Line>    lines_;
-	int                  edgeNum_ = 0, copyNum_ = 0;
+	std::vector<Vec3f>   points_;    ///< ascending
+	std::vector<Line>    lines_;     ///< ascending
+	int                  copyNum_ = 0;
 
 	void findPlaces(const std::vector<Vec3f>& meetings, Workers& workers);
 	void findEdges();
 	void dropChanceMeetings();
 	void findTouching();
+	bool isOfPlace(int v) const { return places_.count(first_[std::size_t(v)]) > 0; }
 	bool isJunctionEdge(int v, int w) const;
 	bool isPoint(const Place& place) const;
 	int  sheetNum(int from, int to) const { return borderNum_.at(std::minmax(from, to)); }

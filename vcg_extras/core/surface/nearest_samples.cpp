@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 namespace gpr {
 
@@ -21,8 +22,7 @@ Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface
 		int   sample;
 		bool  operator<(const Entry& o) const
 		{
-			if (distance != o.distance) return distance > o.distance;
-			return vertex != o.vertex ? vertex > o.vertex : sample > o.sample;
+			return std::tie(o.distance, o.vertex, o.sample) < std::tie(distance, vertex, sample);
 		}
 	};
 	std::priority_queue<Entry> front;

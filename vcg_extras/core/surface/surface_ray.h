@@ -7,20 +7,6 @@
 
 namespace gpr {
 
-/// The end of a ray over the surface.
-enum class RayEnd {
-	Arrived,
-	AtBorder, ///< or before an edge without length
-	Capped,   ///< crossed maxCrossings faces
-};
-
-/// A direction in the plane of a face, measured from one of its edges: counter-clockwise from the
-/// half-edge, in (0, π).
-struct RayDirection {
-	float cosine;
-	float sine; ///< > 0
-};
-
 struct PlanePoint {
 	float x, y;
 };
@@ -33,7 +19,8 @@ inline float cross(PlanePoint a, PlanePoint b)
 	return a.x * b.y - a.y * b.x;
 }
 
-/// A face laid into the plane of a ray, with the ray's begin at 0:
+/// A face laid into the plane of a ray. A ray is a unit vector with y > 0. It begins at 0, the
+/// midpoint of an edge on the x axis:
 ///
 ///              c              The ray comes in over a -> b, with the face to the left of the edge,
 ///            /   \.           and leaves over c -> a if c is to the right of the ray, else over
@@ -72,33 +59,26 @@ struct UnfoldedFace {
 		c2                   = {a2.x + u * ab2.x - v * ab2.y, a2.y + u * ab2.y + v * ab2.x};
 		return true;
 	}
-	bool apexIsLeftOf(RayDirection ray) const { return ray.cosine * c2.y > ray.sine * c2.x; }
+	bool apexIsLeftOf(PlanePoint ray) const { return ray.x * c2.y > ray.y * c2.x; }
 
-	int exitOverBC() const { return nextInFace(halfEdge); }
-	int exitOverCA() const { return prevInFace(halfEdge); }
+	/// The half-edge by which a ray leaves: over b -> c, or else over c -> a.
+	int exit(bool overBC) const { return overBC ? nextInFace(halfEdge) : prevInFace(halfEdge); }
 	/// Makes this the neighbour over an edge, with an unknown apex; false at a border.
-	bool crossBC(const HalfEdgeMesh& m)
+	bool goOver(bool overBC, const HalfEdgeMesh& m)
 	{
-		a        = c;
-		a2       = c2;
-		halfEdge = m.opposite[exitOverBC()];
-		return halfEdge >= 0;
-	}
-	bool crossCA(const HalfEdgeMesh& m)
-	{
-		b        = c;
-		b2       = c2;
-		halfEdge = m.opposite[exitOverCA()];
+		(overBC ? a : b)   = c;
+		(overBC ? a2 : b2) = c2;
+		halfEdge           = m.opposite[exit(overBC)];
 		return halfEdge >= 0;
 	}
 };
 
 /// Place along the ray of its crossing with the edge p -> q, from right to left. At least `from`,
 /// in spite of rounding.
-inline float crossingOf(RayDirection ray, PlanePoint p, PlanePoint q, float from)
+inline float crossingOf(PlanePoint ray, PlanePoint p, PlanePoint q, float from)
 {
 	const PlanePoint pq    = q - p;
-	const float      slope = ray.cosine * pq.y - ray.sine * pq.x;
+	const float      slope = cross(ray, pq);
 	const float      at    = slope > 0 ? cross(p, pq) / slope : from;
 	return at > from ? at : from;
 }
@@ -107,20 +87,19 @@ inline float crossingOf(RayDirection ray, PlanePoint p, PlanePoint q, float from
 /// visit(exit, at) for each edge crossed within `reach`: exit is the half-edge of the face left by
 /// the ray, at the length along the ray. Cost: the faces crossed, at most maxCrossings.
 template <class Visit>
-RayEnd traceRay(const HalfEdgeMesh& m, int h, RayDirection ray, float reach, int maxCrossings,
-				const Visit& visit)
+void traceRay(const HalfEdgeMesh& m, int h, PlanePoint ray, float reach, int maxCrossings,
+			  const Visit& visit)
 {
 	UnfoldedFace f(m, h);
 	float        at = 0;
 	for (int crossings = 0; crossings < maxCrossings; ++crossings) {
-		if (!f.unfoldApex(m)) return RayEnd::AtBorder;
+		if (!f.unfoldApex(m)) return;
 		const bool overBC = f.apexIsLeftOf(ray);
 		at = overBC ? crossingOf(ray, f.b2, f.c2, at) : crossingOf(ray, f.c2, f.a2, at);
-		if (at >= reach) return RayEnd::Arrived;
-		visit(overBC ? f.exitOverBC() : f.exitOverCA(), at);
-		if (!(overBC ? f.crossBC(m) : f.crossCA(m))) return RayEnd::AtBorder;
+		if (at >= reach) return;
+		visit(f.exit(overBC), at);
+		if (!f.goOver(overBC, m)) return;
 	}
-	return RayEnd::Capped;
 }
 
 } // namespace gpr

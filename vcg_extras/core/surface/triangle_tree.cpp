@@ -4,7 +4,7 @@
 
 #include "even_points.h"
 
-#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,60 +82,25 @@ void splitAt(Placed* begin, Placed* middle, Placed* end)
 	});
 }
 
-/// Edges by their vertices, to find edges shared by two triangles.
-class EdgePairs {
-public:
-	EdgePairs(const MeshView& mesh, const Buffer<int>& face, Workers& workers) :
-			vertex_(3 * face.size()), workers_(workers)
-	{
-		workers.forEach(face.size(), [&](int i) {
-			const auto t = mesh.triangle(std::size_t(face[i]));
-			std::copy(t.begin(), t.end(), vertex_.data() + 3 * i);
-		});
-		sortIntoBuckets(
-			vertex_.size(), mesh.vertexNum,
-			[this](std::size_t edge) { return std::min(vertex_[edge], other(edge)); }, workers,
-			start_, edge_);
-	}
-
-	Buffer<int> neighbours()
-	{
-		Buffer<int> neighbour(vertex_.size());
-		workers_.forEach(start_.size() - 1, [&](int v) {
-			pairUp(edge_.data() + start_[v], edge_.data() + start_[v + 1], neighbour);
-		});
-		return neighbour;
-	}
-
-private:
-	Buffer<int> vertex_; ///< first vertex of each edge; three edges a triangle
-	Buffer<int> start_, edge_;
-	Workers&    workers_;
-
-	int other(std::size_t edge) const { return vertex_[edge % 3 == 2 ? edge - 2 : edge + 1]; }
-	int larger(int edge) const
-	{
-		return std::max(vertex_[std::size_t(edge)], other(std::size_t(edge)));
-	}
-
-	/// Pairs the edges with the same smaller vertex.
-	void pairUp(int* begin, int* end, Buffer<int>& neighbour) const
-	{
-		std::sort(begin, end, [this](int a, int b) {
-			const int va = larger(a), vb = larger(b);
-			return va != vb ? va < vb : a < b;
-		});
-		for (const int* first = begin; first < end;) {
-			const int* last = first + 1;
-			while (last < end && larger(*last) == larger(*first))
-				++last;
-			const bool arePair = last - first == 2;
-			for (const int* e = first; e < last; ++e)
-				neighbour[std::size_t(*e)] = arePair ? (e == first ? first[1] : first[0]) / 3 : -1;
-			first = last;
+/// Per edge, three a triangle, the triangle beyond; -1 unless exactly two triangles share the edge.
+Buffer<int> neighboursOf(const MeshView& mesh, const Buffer<int>& face, Workers& workers)
+{
+	const auto sideOf = [&](std::size_t edge) {
+		const EdgeSide side = edgeSide(mesh, 3 * std::size_t(face[edge / 3]) + edge % 3);
+		return EdgeSide{side.low, side.high, int(edge)};
+	};
+	const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
+		3 * face.size(), mesh.vertexNum, sideOf, [](const EdgeSide& s) { return s.low; }, workers);
+	Buffer<int> neighbour(sides.size());
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		const bool arePair = end - begin == 2;
+		for (std::size_t i = begin; i < end; ++i) {
+			const EdgeSide& other                     = sides[begin + end - 1 - i];
+			neighbour[std::size_t(sides[i].halfEdge)] = arePair ? other.halfEdge / 3 : -1;
 		}
-	}
-};
+	});
+	return neighbour;
+}
 
 } // namespace
 
@@ -176,13 +141,13 @@ TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& w
 		++depth_;
 	triangle_.reset(face_.size());
 	order(mesh, origin, workers);
+	neighbour_ = neighboursOf(mesh, face_, workers);
 	workers.forEach(face_.size(), [&](int i) {
 		for (std::size_t k = 0; k < 3; ++k)
 			triangle_[i][k] =
 				mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face_[i]) + k))) - origin;
 	});
 	fillBoxes(workers);
-	neighbour_ = EdgePairs(mesh, face_, workers).neighbours();
 }
 
 void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Workers& workers)

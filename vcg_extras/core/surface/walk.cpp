@@ -31,19 +31,12 @@ struct Exit {
 	int    halfEdge;
 	Corner right, left;
 
-	/// The place along the walk of its crossing with the edge.
-	float x() const
-	{
-		const Flat a = right.flat, b = left.flat;
-		return a.x + (b.x - a.x) * (a.y / (a.y - b.y));
-	}
-
+	/// Share of the way from right to left at which the walk crosses the edge.
+	float share() const { return right.flat.y / (right.flat.y - left.flat.y); }
+	/// The place of the crossing along the walk.
+	float x() const { return right.flat.x + (left.flat.x - right.flat.x) * share(); }
 	/// The same place in space.
-	Vec3f place() const
-	{
-		const float share = right.flat.y / (right.flat.y - left.flat.y);
-		return right.place + (left.place - right.place) * share;
-	}
+	Vec3f place() const { return right.place + (left.place - right.place) * share(); }
 };
 
 /// Exit of the first face of a walk. Seen from inside, one edge of the counter-clockwise corners
@@ -136,10 +129,6 @@ struct StartFace {
 		return p - normal * dot(p - a, normal);
 	}
 };
-
-} // namespace
-
-namespace {
 
 /// A walk of the length `wanted` along the unit vector u in the first face, with the given unit
 /// normal. The way needs no other normals, and one root per face: see Unfolded.
