@@ -12,10 +12,20 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace gpr::test {
 
 namespace {
+
+int openCellNum(const VoronoiDual& cells)
+{
+	std::set<int> open;
+	for (std::size_t v = 0; v < cells.label.size(); ++v) {
+		if (cells.surfaceVertex[v] >= 0) open.insert(cells.label[v]);
+	}
+	return int(open.size());
+}
 
 /// A surface without curves, and its cells.
 class VoronoiCells : public ::testing::TestWithParam<std::uint32_t> {
@@ -72,7 +82,7 @@ TEST_P(VoronoiCells, OnASphereEveryOneBecomesAVertex)
 	sampling = sampleFront(surface, noCurves, cutIntoBlocks(surface, 1, workers), 0.06f, GetParam(),
 						   workers);
 	const VoronoiDual cells = contract();
-	EXPECT_EQ(cells.openCellNum, 0);
+	EXPECT_EQ(openCellNum(cells), 0);
 	EXPECT_TRUE(cells.todo.empty());
 	EXPECT_EQ(cells.mesh.vertexNum, int(sampling.samples.size()));
 	for (std::size_t s = 0; s < sampling.samples.size(); ++s) {
@@ -96,11 +106,11 @@ TEST_P(VoronoiCells, VerticesThatWereCutOffGoToTheCellsRoundThem)
 {
 	takeSurface(icosphere(5));
 	putRandomSamples(200);
-	ASSERT_EQ(contract().openCellNum, 0);
+	ASSERT_EQ(openCellNum(contract()), 0);
 	for (int i = 0; i < 20; ++i)
 		sampling.nearest[random.below(surface.mesh.vertexNum)] = {2, random.below(200)};
 	const VoronoiDual cells = contract();
-	EXPECT_LE(cells.openCellNum, 4);
+	EXPECT_LE(openCellNum(cells), 4);
 	EXPECT_EQ(remove().mesh.vertexNum, 200);
 	expectSameTopology(cells.mesh);
 }
@@ -116,7 +126,7 @@ TEST_P(VoronoiCells, RingsAreLeftOpen)
 		const double turn   = std::atan2(double(p.y), double(p.x)) / (2 * 3.14159265358979) + 0.5;
 		sampling.nearest[v] = {1, std::min(3, int(turn * 4))};
 	}
-	EXPECT_EQ(contract().openCellNum, 4);
+	EXPECT_EQ(openCellNum(contract()), 4);
 	expectSameTopology(remove().mesh);
 }
 

@@ -7,6 +7,8 @@
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
+#include <algorithm>
+
 namespace gpr {
 
 namespace {
@@ -43,15 +45,13 @@ public:
 	/// Runs all rounds of a block in a row, so that the block stays in the cache.
 	void runInBlocks()
 	{
-		HoleRules rules;
 		// No edit in a block may reach half-way to the next block of the same colour.
-		rules.longestSquared = 0.0625f * partition_.cellSize * partition_.cellSize;
+		const float longestSquared = 0.0625f * partition_.cellSize * partition_.cellSize;
 		std::vector<HoleRetriangulator> removers(workers_.threadNum(), HoleRetriangulator(m_));
 		for (const RoundRules& kind : roundRules) {
-			rules.minCosine = kind.minCosine;
 			for (const std::vector<int>& ids : partition_.byColour) {
 				workers_.forTasks(ids.size(), [&](std::size_t i, int worker) {
-					runRounds(todo_[ids[i]], removers[worker], rules, kind, firstRound_);
+					runRounds(todo_[ids[i]], removers[worker], kind, longestSquared);
 				});
 				firstRound_ += kind.maxRounds;
 			}
@@ -65,11 +65,9 @@ public:
 		for (const std::vector<int>& vertices : todo_)
 			rest.insert(rest.end(), vertices.begin(), vertices.end());
 		HoleRetriangulator remover(m_);
-		HoleRules          rules;
 		for (const RoundRules& kind : roundRules) {
 			workers_.poll();
-			rules.minCosine = kind.minCosine;
-			runRounds(rest, remover, rules, kind, firstRound_);
+			runRounds(rest, remover, kind, HUGE_VALF);
 			firstRound_ += kind.maxRounds;
 		}
 		return rest;
@@ -83,12 +81,13 @@ private:
 	std::vector<std::vector<int>> todo_;
 	int                           firstRound_ = 1; ///< number of the next round, for lastTouch_
 
-	void runRounds(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
-				   const RoundRules& kind, int firstRound)
+	void runRounds(std::vector<int>& vertices, HoleRetriangulator& remover, const RoundRules& kind,
+				   float longestSquared)
 	{
+		const HoleRules rules = {kind.minCosine, longestSquared};
 		for (int i = 0; i < kind.maxRounds && !vertices.empty(); ++i) {
 			const std::size_t before = vertices.size();
-			runRound(vertices, remover, rules, kind.sparesNeighbours ? firstRound + i : 0);
+			runRound(vertices, remover, rules, kind.sparesNeighbours ? firstRound_ + i : 0);
 			if (vertices.size() == before) return;
 		}
 	}
@@ -180,9 +179,9 @@ bool HoleRetriangulator::keeps(const HoleRules& rules, const Vec3f& normal) cons
 		const Vec3f c = m_.position[star_.ring[patch_.corner[x + 2]]];
 		const Vec3f n = cross(b - a, c - a);
 		if (dot(n, normal) < rules.minCosine * length(n)) return false;
-		if (squaredLength(b - a) > rules.longestSquared) return false;
-		if (squaredLength(c - b) > rules.longestSquared) return false;
-		if (squaredLength(a - c) > rules.longestSquared) return false;
+		const float longest =
+			std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+		if (longest > rules.longestSquared) return false;
 	}
 	return true;
 }
@@ -193,16 +192,11 @@ ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 {
 	Removal removal(fused, partition, workers);
 	removal.runInBlocks();
-	Retriangulated removed;
-	removed.leftover        = removal.runRest();
-	const std::size_t stuck = removed.leftover.size();
-	collapseRest(fused.mesh, removed.leftover, workers);
-	const std::size_t collapsed = stuck - removed.leftover.size();
-	removed.mesh                = std::move(fused.mesh);
-	removed.sampleVertex        = std::move(fused.sampleVertex);
-	ResultMesh result = resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
-	result.byCollapseNum = std::int64_t(collapsed);
-	return result;
+	std::vector<int> rest = removal.runRest();
+	collapseRest(fused.mesh, rest, workers);
+	Retriangulated removed{
+		std::move(fused.mesh), std::move(fused.sampleVertex), {}, std::move(rest)};
+	return resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
 }
 
 } // namespace gpr

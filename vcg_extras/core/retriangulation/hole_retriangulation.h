@@ -16,8 +16,8 @@ namespace gpr {
 /// of the mutual tessellation that is no sample: flattens its star by the geodesic polar map, and
 /// closes the hole by a constrained Delaunay triangulation. If this would double an edge or fold
 /// the surface, the vertex is tried again after its neighbours, then under looser geometry, and at
-/// last merged into a neighbour (collapseRest, counted in byCollapseNum). Vertices that the
-/// topology needs stay and are counted in leftoverNum.
+/// last merged into a neighbour (collapseRest). Vertices that the topology needs stay and are
+/// counted in leftoverNum.
 ///
 /// Two choices that the paper leaves open: no two neighbours are removed in the same round, so that
 /// the mesh coarsens evenly; at a border the angles are scaled to 180° and the hole is closed along
@@ -37,8 +37,8 @@ Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec
 
 /// The rules of new faces.
 struct HoleRules {
-	float minCosine      = -2;        ///< of a new face's normal with the star's mean normal
-	float longestSquared = HUGE_VALF; ///< largest squared length of a new edge
+	float minCosine;      ///< of a new face's normal with the star's mean normal
+	float longestSquared; ///< largest squared length of a new edge
 };
 
 /// Removes vertices of a mesh; every thread has an object of its own.

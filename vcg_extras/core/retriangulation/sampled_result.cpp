@@ -10,24 +10,6 @@ namespace gpr {
 
 namespace {
 
-/// Curve and arc length of each vertex on a curve; -1 for the other vertices.
-std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves&   boundary,
-															const std::vector<int>& vertices)
-{
-	std::unordered_map<int, std::pair<int, float>> place;
-	for (int v : vertices)
-		place[v] = {-1, 0.0f};
-	if (place.empty()) return place;
-	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
-		const Curve& curve = boundary.curves[c];
-		for (int i = 0; i < curve.pointNum(); ++i) {
-			const auto found = place.find(curve.vertex[i]);
-			if (found != place.end()) found->second = {int(c), curve.arc[i]};
-		}
-	}
-	return place;
-}
-
 /// A sample, with its curve if the sample is on the border.
 ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& boundary)
 {
@@ -45,6 +27,22 @@ ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& bou
 	return r;
 }
 
+/// Looks up the curves of some vertices of the surface; stayed: their records.
+void putOnCurves(const BoundaryCurves&                         boundary,
+				 const std::unordered_map<int, ResultVertex*>& stayed)
+{
+	if (stayed.empty()) return;
+	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
+		const Curve& curve = boundary.curves[c];
+		for (int i = 0; i < curve.pointNum(); ++i) {
+			const auto found = stayed.find(curve.vertex[i]);
+			if (found == stayed.end()) continue;
+			found->second->curve = int(c);
+			found->second->arc   = curve.arc[i];
+		}
+	}
+}
+
 } // namespace
 
 ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
@@ -56,25 +54,20 @@ ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 	Buffer<int>   newIndex;
 	compact(m, workers, newIndex);
 	result.vertex.resize(m.vertexNum);
-	result.leftoverNum = std::int64_t(removed.leftover.size());
+	result.leftoverNum = std::int64_t(removed.todo.size());
 	for (std::size_t s = 0; s < removed.sampleVertex.size(); ++s) {
 		if (removed.sampleVertex[s] < 0) continue;
 		result.vertex[newIndex[removed.sampleVertex[s]]] = recordOf(int(s), sampling, boundary);
 	}
-	std::vector<int> stayed = removed.leftover;
-	if (!removed.surfaceVertex.empty()) {
-		for (int& v : stayed)
-			v = removed.surfaceVertex[v];
-	}
-	const auto onCurve = findOnCurves(boundary, stayed);
-	for (std::size_t i = 0; i < stayed.size(); ++i) {
-		const int     old = stayed[i];
-		ResultVertex& r   = result.vertex[newIndex[removed.leftover[i]]];
-		r.curve           = onCurve.at(old).first;
-		r.arc             = onCurve.at(old).second;
-		r.point           = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
+	std::unordered_map<int, ResultVertex*> stayed;
+	for (int v : removed.todo) {
+		const int     old = removed.surfaceVertex.empty() ? v : removed.surfaceVertex[v];
+		ResultVertex& r   = result.vertex[newIndex[v]];
+		r.point           = pointOfVertex(surface, old);
 		r.normal          = surface.mesh.faceNormal(r.point.face);
+		stayed[old]       = &r;
 	}
+	putOnCurves(boundary, stayed);
 	workers.forEach(m.vertexNum, [&](int v) { m.position[v] = result.vertex[v].point.position; });
 	result.mesh = std::move(m);
 	return result;

@@ -11,16 +11,17 @@
 
 namespace gpr {
 
-/// The mesh after the removal of input vertices, in the numbering of the start.
+/// The mesh while input vertices are removed and afterwards, in the numbering of the start.
 struct Retriangulated {
 	HalfEdgeMesh     mesh;          ///< with dead faces and vertices
 	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
-	std::vector<int> leftover;      ///< vertices that had to stay without a sample
 	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; empty: same numbers
+	std::vector<int> todo;          ///< vertices without a sample, to be merged away; in the end
+									///< those that had to stay
 };
 
-/// Makes a result of the remaining vertices. Moves each to its sample; leftover vertices stay in
-/// place. Border samples keep their curve; the curve of leftover vertices on the border is looked
+/// Makes a result of the remaining vertices. Moves each to its sample; the others stay in place.
+/// Border samples keep their curve; the curve of the others on the border is looked
 /// up. Cost: linear, parallel.
 ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 						   const Sampling& sampling, const BoundaryCurves& boundary,

@@ -41,11 +41,9 @@ public:
 	{
 	}
 
-	/// Tries to merge v into a neighbour, if all neighbours are within reach of the grid cell (or
-	/// `cell` is null). Returns false if v stays for now.
-	bool remove(int v, const PassRules& rules, const GridCell* cell)
+	/// Tries to merge v into a neighbour. Returns false if v stays for now.
+	bool remove(int v, const PassRules& rules)
 	{
-		if (cell != nullptr && !reachesRing(*cell, v)) return false;
 		if (m_.isBorderVertex(v)) return removeAtBorder(v, rules);
 		return m_.isCreaseVertex(v) ? removeOnCrease(v, rules) : removeInside(v, rules);
 	}
@@ -55,6 +53,11 @@ private:
 		int   halfEdge;
 		int   target;
 		Vec3f place;
+	};
+	/// A way to merge a vertex into a neighbour: a half-edge, or for a border vertex whether to go
+	/// forward.
+	struct Way {
+		int   way;
 		float score;
 	};
 
@@ -62,34 +65,41 @@ private:
 	const std::vector<int>& label_;
 	float                   longestSquared_;
 	std::vector<Spoke>      ring_;
+	std::vector<Way>        ways_;
 	EditScratch             scratch_;
 
-	int labelOf(int v) const { return label_[v]; }
-
-	bool reachesRing(const GridCell& cell, int v) const
+	bool isAllowed(int v, int target, const PassRules& rules) const
 	{
-		bool all = true;
-		forEachNeighbour(m_, v, [&](int w) { all = all && cell.reaches(m_.position[w]); });
-		return all;
+		return !rules.sameLabelOnly || label_[target] == label_[v];
+	}
+
+	/// Tries the ways, the best first. Returns whether tryToMerge(way) was true for a way.
+	template <class Merge>
+	bool mergeBest(const PassRules& rules, const Merge& tryToMerge)
+	{
+		const auto isWorse = [](const Way& a, const Way& b) { return a.score < b.score; };
+		for (int attempt = 0; attempt < rules.tries; ++attempt) {
+			const auto best = std::max_element(ways_.begin(), ways_.end(), isWorse);
+			if (best == ways_.end() || best->score <= noScore) return false;
+			if (tryToMerge(best->way)) return true;
+			best->score = noScore;
+		}
+		return false;
 	}
 
 	bool removeInside(int v, const PassRules& rules)
 	{
 		const Vec3f normal = collectRing(v);
-		scoreTargets(rules.sameLabelOnly ? labelOf(v) : -1, normal, rules);
-		for (int attempt = 0; attempt < rules.tries; ++attempt) {
-			Spoke* best = nullptr;
-			for (Spoke& s : ring_) {
-				if (s.score > noScore && (best == nullptr || s.score > best->score)) best = &s;
-			}
-			if (best == nullptr) return false;
-			if (canCollapse(m_, best->halfEdge, scratch_)) {
-				collapse(m_, best->halfEdge);
-				return true;
-			}
-			best->score = noScore;
+		ways_.clear();
+		for (const Spoke& s : ring_) {
+			if (isAllowed(v, s.target, rules))
+				ways_.push_back({s.halfEdge, scoreOf(s, normal, rules.minCosine)});
 		}
-		return false;
+		return mergeBest(rules, [&](int h) {
+			if (!canCollapse(m_, h, scratch_)) return false;
+			collapse(m_, h);
+			return true;
+		});
 	}
 
 	/// Fills ring_ and returns the mean normal.
@@ -98,21 +108,13 @@ private:
 		ring_.clear();
 		forEachOutgoing(m_, v, [&](int h) {
 			const int w = m_.target(h);
-			ring_.push_back({h, w, m_.position[w], noScore});
+			ring_.push_back({h, w, m_.position[w]});
 		});
 		const Vec3f p = m_.position[v];
 		Vec3f       sum;
 		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++)
 			sum += cross(ring_[last].place - p, ring_[i].place - p);
 		return normalized(sum);
-	}
-
-	void scoreTargets(int label, const Vec3f& normal, const PassRules& rules)
-	{
-		for (Spoke& t : ring_) {
-			const bool allowed = !rules.sameLabelOnly || labelOf(t.target) == label;
-			t.score            = allowed ? scoreOf(t, normal, rules.minCosine) : noScore;
-		}
 	}
 
 	/// The worst shape of the triangles after a move of v to t.
@@ -134,30 +136,14 @@ private:
 		return worst;
 	}
 
-	/// A way to merge a vertex into a neighbour on its curve.
-	struct Way {
-		int   way;
-		float score;
-	};
-
-	/// Tries the ways in turn, the best first.
-	template <class Merge>
-	static bool mergeBest(std::vector<Way> ways, const Merge& tryToMerge)
-	{
-		std::stable_sort(ways.begin(), ways.end(),
-						 [](const Way& a, const Way& b) { return a.score > b.score; });
-		return std::any_of(ways.begin(), ways.end(),
-						   [&](const Way& w) { return w.score > noScore && tryToMerge(w.way); });
-	}
-
 	/// Merges v into one of the two neighbours on the feature line.
 	bool removeOnCrease(int v, const PassRules& rules)
 	{
-		std::vector<Way> ways;
+		ways_.clear();
 		forEachOutgoing(m_, v, [&](int h) {
-			if (m_.isCreaseEdge(h)) ways.push_back({h, scoreOnCrease(h, rules)});
+			if (m_.isCreaseEdge(h)) ways_.push_back({h, scoreOnCrease(h, rules)});
 		});
-		return mergeBest(std::move(ways), [&](int h) {
+		return mergeBest(rules, [&](int h) {
 			if (!canCollapseAlongCrease(m_, h, scratch_)) return false;
 			collapse(m_, h);
 			return true;
@@ -169,7 +155,7 @@ private:
 	float scoreOnCrease(int h, const PassRules& rules) const
 	{
 		const int v = m_.origin[h], b = m_.target(h);
-		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		if (!isAllowed(v, b, rules)) return noScore;
 		const Vec3f p = m_.position[v];
 		return worstAfter(v, b, [&](const Vec3f& now, const Vec3f& s, const Vec3f& t) {
 			const Vec3f then  = cross(s - p, t - p);
@@ -197,19 +183,18 @@ private:
 
 	bool removeAtBorder(int v, const PassRules& rules)
 	{
-		const auto merge = [&](int forward) {
+		ways_ = {{1, scoreAlongBorder(v, true, rules)}, {0, scoreAlongBorder(v, false, rules)}};
+		return mergeBest(rules, [&](int forward) {
 			if (!canCollapseAlongBorder(m_, v, forward != 0, scratch_)) return false;
 			collapseAlongBorder(m_, v, forward != 0);
 			return true;
-		};
-		return mergeBest(
-			{{1, scoreAlongBorder(v, true, rules)}, {0, scoreAlongBorder(v, false, rules)}}, merge);
+		});
 	}
 
 	float scoreAlongBorder(int v, bool forward, const PassRules& rules) const
 	{
 		const int b = borderNeighbour(m_, v, forward);
-		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		if (!isAllowed(v, b, rules)) return noScore;
 		const Vec3f p = m_.position[v];
 		Vec3f       normal;
 		forEachOutgoing(m_, v, [&](int h) {
@@ -222,16 +207,25 @@ private:
 	}
 };
 
-/// Runs a pass over the vertices still to be removed, grid cell by grid cell.
-void runPass(const ColouredGrid& cells, const PassRules& rules, std::vector<Remover>& removers,
-			 std::vector<char>& isThere, Workers& workers)
+bool reachesRing(const GridCell& cell, const HalfEdgeMesh& m, int v)
+{
+	bool all = true;
+	forEachNeighbour(m, v, [&](int w) { all = all && cell.reaches(m.position[w]); });
+	return all;
+}
+
+/// Runs a pass, grid cell by grid cell, over the vertices still to be removed with all neighbours
+/// within reach of the cell.
+void runPass(const HalfEdgeMesh& m, const ColouredGrid& cells, const PassRules& rules,
+			 std::vector<Remover>& removers, std::vector<char>& isThere, Workers& workers)
 {
 	for (const std::vector<GridCell>& sameColour : cells.byColour) {
 		workers.forTasks(sameColour.size(), [&](std::size_t i, int worker) {
 			const GridCell& cell = sameColour[i];
 			for (int k = cell.begin; k < cell.end; ++k) {
 				const int v = cells.vertices[k];
-				if (isThere[k] && removers[worker].remove(v, rules, &cell)) isThere[k] = 0;
+				if (isThere[k] && reachesRing(cell, m, v) && removers[worker].remove(v, rules))
+					isThere[k] = 0;
 			}
 		});
 	}
@@ -249,7 +243,7 @@ void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>
 		std::size_t left = 0;
 		for (int v : rest) {
 			workers.poll();
-			if (!remover.remove(v, rules, nullptr)) rest[left++] = v;
+			if (!remover.remove(v, rules)) rest[left++] = v;
 		}
 		rest.resize(left);
 	}
@@ -268,17 +262,14 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 	std::vector<Remover> removers(workers.threadNum(),
 								  Remover(m, cells.label, 0.25f * workWidth * sampling.radius));
 	for (const PassRules& rules : passRules)
-		runPass(work, rules, removers, isThere, workers);
-	Retriangulated removed;
+		runPass(m, work, rules, removers, isThere, workers);
+	cells.todo.clear();
 	for (std::size_t k = 0; k < isThere.size(); ++k) {
-		if (isThere[k]) removed.leftover.push_back(work.vertices[k]);
+		if (isThere[k]) cells.todo.push_back(work.vertices[k]);
 	}
-	std::sort(removed.leftover.begin(), removed.leftover.end());
-	removeRest(m, cells.label, removed.leftover, workers);
-	removed.mesh          = std::move(cells.mesh);
-	removed.sampleVertex  = std::move(cells.sampleVertex);
-	removed.surfaceVertex = std::move(cells.surfaceVertex);
-	return resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
+	std::sort(cells.todo.begin(), cells.todo.end());
+	removeRest(m, cells.label, cells.todo, workers);
+	return resultOfSamples(std::move(cells), surface, sampling, boundary, workers);
 }
 
 void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)

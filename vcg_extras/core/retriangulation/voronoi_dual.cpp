@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -58,21 +57,11 @@ public:
 	{
 	}
 
-	/// Returns false if all cells are better left open.
-	bool run(const MeshFigures& input, VoronoiDual& out)
+	VoronoiDual run(const MeshFigures& input)
 	{
-		takeOverLabels();
-		orderCells();
-		markCellsThatAreNoDisks();
-		giveAwayCutOff();
-		findDualFaces();
-		markCellsOnCreases();
-		markStrayCurveSamples();
-		for (int round = 0; round < maxRounds; ++round) {
-			if (!openBadCells()) return false;
-			if (contract(out)) return hasTopology(out.mesh, input);
-		}
-		return false;
+		VoronoiDual out;
+		if (!contractMost(input, out)) openAll(out);
+		return out;
 	}
 
 private:
@@ -89,6 +78,33 @@ private:
 	std::vector<char>     open_;         ///< per sample: its cell is left open
 	std::vector<char>     bad_;          ///< per sample: its cell is bad and not yet open
 	std::vector<int>      openVertices_; ///< vertices of the surface in open cells, ascending
+
+	/// Returns false if all cells are better left open.
+	bool contractMost(const MeshFigures& input, VoronoiDual& out)
+	{
+		takeOverLabels();
+		orderCells();
+		markCellsThatAreNoDisks();
+		giveAwayCutOff();
+		findDualFaces();
+		markCellsOnCreases();
+		markStrayCurveSamples();
+		for (int round = 0; round < maxRounds; ++round) {
+			if (!openBadCells()) return false;
+			if (contract(out)) return figuresOf(out.mesh, 1, workers_).hasTopologyOf(input);
+		}
+		return false;
+	}
+
+	/// Takes over the surface with all its vertices.
+	void openAll(VoronoiDual& out)
+	{
+		takeOverLabels();
+		std::fill(open_.begin(), open_.end(), char(1));
+		listOpenVertices();
+		numberVertices(out);
+		out.mesh = copyMesh(m_, workers_);
+	}
 
 	int labelOf(int v) const { return label_[v]; }
 
@@ -151,9 +167,7 @@ private:
 	/// vertices that later samples cut off from the rest.
 	void giveAwayCutOff()
 	{
-		const std::vector<int> inBad = verticesOf(bad_);
-		std::vector<int>       cutOff;
-		findCutOff(inBad, cutOff);
+		std::vector<int>  cutOff  = takeCutOff();
 		std::vector<char> touched = bad_;
 		for (bool changed = true; changed && !cutOff.empty();) {
 			std::size_t left = 0;
@@ -168,7 +182,8 @@ private:
 			changed = left < cutOff.size();
 			cutOff.resize(left);
 		}
-		recount(verticesOf(touched), touched);
+		std::fill(bad_.begin(), bad_.end(), char(0));
+		markBad(touched, [&](const std::vector<int>& cell) { return isDisk(cell); });
 	}
 
 	std::vector<int> verticesOf(const std::vector<char>& marked) const
@@ -193,27 +208,41 @@ private:
 			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
 		}
 		first.push_back(inCell.size());
-		return workers_.collect<int>(first.size() - 1,
-									 [&](std::size_t begin, std::size_t end, auto& found) {
-										 std::vector<int> cell;
-										 for (std::size_t c = begin; c < end; ++c) {
-											 cell.clear();
-											 for (std::size_t i = first[c]; i < first[c + 1]; ++i)
-												 cell.push_back(inCell[i].second);
-											 visit(cell, found);
-										 }
-									 });
+		const auto visitCells = [&](std::size_t begin, std::size_t end, auto& found) {
+			std::vector<int> cell;
+			for (std::size_t c = begin; c < end; ++c) {
+				cell.clear();
+				for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+					cell.push_back(inCell[i].second);
+				visit(cell, found);
+			}
+		};
+		return workers_.collect<int>(first.size() - 1, visitCells);
 	}
 
-	/// Removes the label of vertices without a path in their cell to the vertex nearest to the
-	/// sample. Vertices of curves keep their label.
-	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
+	/// Marks cells as bad if they fail the test isGood(cell); `cell` as in collectByCell.
+	template <class Test>
+	void markBad(const std::vector<char>& suspects, const Test& isGood)
 	{
-		cutOff = collectByCell(vertices, [&](const std::vector<int>& cell,
-											 std::vector<int>& found) { addCutOff(cell, found); });
+		const std::vector<int> found = collectByCell(
+			verticesOf(suspects), [&](const std::vector<int>& cell, std::vector<int>& bad) {
+				if (!isGood(cell)) bad.push_back(labelOf(cell.front()));
+			});
+		for (int s : found)
+			bad_[s] = 1;
+	}
+
+	/// Removes the label of vertices of bad cells without a path in their cell to the vertex
+	/// nearest to the sample, and returns these vertices. Vertices of curves keep their label.
+	std::vector<int> takeCutOff()
+	{
+		std::vector<int> cutOff = collectByCell(
+			verticesOf(bad_),
+			[&](const std::vector<int>& cell, std::vector<int>& found) { addCutOff(cell, found); });
 		std::sort(cutOff.begin(), cutOff.end());
 		for (int v : cutOff)
 			label_[v] = -1;
+		return cutOff;
 	}
 
 	/// Appends the cut-off vertices of a cell; `cell` has its vertices, ascending.
@@ -264,24 +293,22 @@ private:
 		return best;
 	}
 
-	/// Repeats the test of markCellsThatAreNoDisks for some cells, given all their vertices. Sums
+	/// The test of markCellsThatAreNoDisks for a single cell, given its vertices. Sums
 	/// 6·(vertices - edges + faces): an edge adds -3 at each of two vertices, a face 2 at each of
 	/// three.
-	void recount(const std::vector<int>& vertices, const std::vector<char>& cells)
+	bool isDisk(const std::vector<int>& cell) const
 	{
-		std::vector<int> euler(sampleNum_, 0);
-		for (int v : vertices) {
-			const int s = labelOf(v);
-			euler[s] += 6;
-			forEachNeighbour(m_, v, [&](int w) { euler[s] -= labelOf(w) == s ? 3 : 0; });
+		const int s     = labelOf(cell.front());
+		int       euler = 0;
+		for (int v : cell) {
+			euler += 6;
+			forEachNeighbour(m_, v, [&](int w) { euler -= labelOf(w) == s ? 3 : 0; });
 			forEachOutgoing(m_, v, [&](int h) {
 				const bool isInside = labelOf(m_.target(h)) == s && labelOf(m_.apex(h)) == s;
-				euler[s] += isInside ? 2 : 0;
+				euler += isInside ? 2 : 0;
 			});
 		}
-		for (int s = 0; s < sampleNum_; ++s) {
-			if (cells[s]) bad_[s] = euler[s] != 6;
-		}
+		return euler == 6;
 	}
 
 	/// Collects the faces with corners in three cells.
@@ -327,8 +354,14 @@ private:
 		for (int i = 0; i < maxSpreads && openMarked(fresh); ++i)
 			markSpoiltBy(fresh);
 		openMarked(fresh);
+		listOpenVertices();
+		const auto openNum = std::count(open_.begin(), open_.end(), char(1));
+		return 2 * std::size_t(openNum) <= cellOrder_.size();
+	}
+
+	void listOpenVertices()
+	{
 		openVertices_ = workers_.collectIf(m_.vertexNum, [&](int v) { return isOpenVertex(v); });
-		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
 	}
 
 	/// Opens the bad cells and marks newly open cells in `fresh`. Returns false if no cell is newly
@@ -357,12 +390,7 @@ private:
 				if (!isOpenVertex(w)) isNear[labelOf(w)] = 1;
 			});
 		}
-		const auto spoilt = collectByCell(
-			verticesOf(isNear), [&](const std::vector<int>& cell, std::vector<int>& found) {
-				if (!isFanWhenContracted(cell)) found.push_back(labelOf(cell.front()));
-			});
-		for (int s : spoilt)
-			bad_[s] = 1;
+		markBad(isNear, [&](const std::vector<int>& cell) { return isFanWhenContracted(cell); });
 	}
 
 	/// Whether the faces round a cell make a single fan after the cell's contraction.
@@ -387,29 +415,26 @@ private:
 		if (edges.empty()) return false;
 		std::sort(edges.begin(), edges.end());
 		std::vector<int> ends;
-		for (std::size_t i = 0; i < edges.size(); ++i) {
-			if (i > 0 && edges[i].first == edges[i - 1].first) return false;
-			ends.push_back(edges[i].second);
-		}
+		for (const auto& e : edges)
+			ends.push_back(e.second);
 		std::sort(ends.begin(), ends.end());
-		if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) return false;
-
 		const auto begin  = std::find_if(edges.begin(), edges.end(), [&](const auto& e) {
             return !std::binary_search(ends.begin(), ends.end(), e.first);
         });
 		const bool isPath = begin != edges.end();
 		const int  first  = isPath ? begin->first : edges.front().first;
 		int        node   = first;
-		for (std::size_t steps = 0;; ++steps) {
+		// Nodes are distinct if the way takes all edges before it ends or closes.
+		for (std::size_t steps = 0; steps <= edges.size(); ++steps) {
 			const auto next = std::lower_bound(edges.begin(), edges.end(), std::pair(node, 0));
 			if (next == edges.end() || next->first != node) return isPath && steps == edges.size();
 			node = next->second;
 			if (node == first) return steps + 1 == edges.size() && edges.size() >= 3;
 		}
+		return false;
 	}
 
-	std::int64_t openCellNum() const { return std::count(open_.begin(), open_.end(), char(1)); }
-	bool         isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
+	bool isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
 
 	/// Makes the mesh. Returns false and marks the bad cells if the mesh is not manifold.
 	bool contract(VoronoiDual& out)
@@ -433,7 +458,10 @@ private:
 			carryCreases(out);
 			return markWrongBorders(out);
 		}
-		markBad(out, findNotManifold(mesh, connected.mesh.opposite, workers_));
+		const Buffer<char> notManifold = findNotManifold(mesh, connected.mesh.opposite, workers_);
+		for (int v = 0; v < mesh.vertexNum; ++v) {
+			if (notManifold[v] && out.label[v] >= 0) bad_[out.label[v]] = 1;
+		}
 		return false;
 	}
 
@@ -454,7 +482,6 @@ private:
 			out.label.push_back(labelOf(v));
 			out.surfaceVertex.push_back(v);
 		}
-		out.openCellNum = openCellNum();
 		chooseRepresentatives(out);
 	}
 
@@ -480,53 +507,50 @@ private:
 
 	int openIndex(int v) const { return placeIn(openVertices_, v); }
 
-	/// Collects the dual faces between contracted cells, and the faces at open vertices with three
-	/// different vertices.
+	/// Collects the dual faces between contracted cells, and the faces at open vertices.
 	void collectFaces(const VoronoiDual& out, IndexedMesh& mesh) const
 	{
-		const auto isContracted = [&](const Triple& t) {
-			return !open_[t[0]] && !open_[t[1]] && !open_[t[2]];
-		};
-		const Buffer<Triple> faces = workers_.collectMany<Triple>(
-			dualFaces_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
-				for (std::size_t i = begin; i < end; ++i) {
-					const Triple& t = dualFaces_[i];
-					if (!isContracted(t)) continue;
-					found.push_back(
-						{out.sampleVertex[t[0]], out.sampleVertex[t[1]], out.sampleVertex[t[2]]});
-				}
-			});
-		const Buffer<Triple> more = facesAtOpenVertices(out);
-		mesh.faceNum              = int(faces.size() + more.size());
-		mesh.triangle.reset(3 * std::size_t(mesh.faceNum));
-		mesh.sourceFace.reset(mesh.faceNum);
-		workers_.forEach(mesh.faceNum, [&](int f) {
-			const Triple& t = std::size_t(f) < faces.size() ? faces[f] : more[f - faces.size()];
-			std::copy(t.begin(), t.end(), &mesh.triangle[3 * f]);
+		const std::size_t    dualNum = dualFaces_.size();
+		const Buffer<Triple> faces   = workers_.collectMany<Triple>(
+            dualNum + openVertices_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (i < dualNum)
+                        addIfContracted(dualFaces_[i], out, found);
+                    else
+                        addFacesAt(int(i - dualNum), out, found);
+                }
+            });
+		mesh.faceNum = int(faces.size());
+		mesh.triangle.reset(3 * faces.size());
+		mesh.sourceFace.reset(faces.size());
+		workers_.forEach(faces.size(), [&](int f) {
+			std::copy(faces[f].begin(), faces[f].end(), &mesh.triangle[3 * f]);
 			mesh.sourceFace[f] = f;
 		});
 	}
 
-	Buffer<Triple> facesAtOpenVertices(const VoronoiDual& out) const
+	/// Appends a dual face if its cells are contracted.
+	void addIfContracted(const Triple& t, const VoronoiDual& out, std::vector<Triple>& found) const
 	{
+		if (open_[t[0]] || open_[t[1]] || open_[t[2]]) return;
+		found.push_back({out.sampleVertex[t[0]], out.sampleVertex[t[1]], out.sampleVertex[t[2]]});
+	}
+
+	/// Appends the faces at open vertex i that have three different vertices.
+	void addFacesAt(int i, const VoronoiDual& out, std::vector<Triple>& found) const
+	{
+		const int  v         = openVertices_[i];
 		const int  firstOpen = int(out.label.size() - openVertices_.size());
-		const auto vertexOf  = [&](int v) {
-            return isOpenVertex(v) ? firstOpen + openIndex(v) : out.sampleVertex[labelOf(v)];
+		const auto vertexOf  = [&](int w) {
+            return isOpenVertex(w) ? firstOpen + openIndex(w) : out.sampleVertex[labelOf(w)];
 		};
-		return workers_.collectMany<Triple>(
-			openVertices_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
-				for (std::size_t i = begin; i < end; ++i) {
-					const int v = openVertices_[i];
-					forEachOutgoing(m_, v, [&](int h) {
-						const int a = m_.target(h), b = m_.apex(h);
-						// Each open corner of a face finds the face; only the smallest corner
-						// counts.
-						if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
-						if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
-						found.push_back({firstOpen + int(i), vertexOf(a), vertexOf(b)});
-					});
-				}
-			});
+		forEachOutgoing(m_, v, [&](int h) {
+			const int a = m_.target(h), b = m_.apex(h);
+			// Each open corner of a face finds the face; only the smallest corner counts.
+			if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
+			if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
+			found.push_back({firstOpen + i, vertexOf(a), vertexOf(b)});
+		});
 	}
 
 	/// Copies crease marks; both ends of a crease edge are vertices of open cells.
@@ -539,16 +563,9 @@ private:
 			const int a = out.surfaceVertex[mesh.origin[h]];
 			const int b = out.surfaceVertex[mesh.target(h)];
 			if (a < 0 || b < 0 || !m_.isCreaseVertex(a)) return;
-			const int there = m_.findHalfEdge(a, b), back = m_.findHalfEdge(b, a);
-			mesh.crease[h] = (there >= 0 && m_.crease[there]) || (back >= 0 && m_.crease[back]);
+			const int edge = m_.findEdge(a, b);
+			mesh.crease[h] = edge >= 0 && m_.crease[edge];
 		});
-	}
-
-	void markBad(const VoronoiDual& out, const Buffer<char>& notManifold)
-	{
-		for (std::size_t v = 0; v < out.label.size(); ++v) {
-			if (notManifold[v] && out.label[v] >= 0) bad_[out.label[v]] = 1;
-		}
 	}
 
 	/// Marks cells with a wrong border. Exactly the border samples must lie on the border, and
@@ -571,38 +588,7 @@ private:
 		const bool isOnBorder = out.mesh.isBorderVertex(v);
 		return shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3);
 	}
-
-	bool hasTopology(const HalfEdgeMesh& mesh, const MeshFigures& input) const
-	{
-		return figuresOf(mesh, 1, workers_).hasTopologyOf(input);
-	}
 };
-
-/// The dual with all cells open: all vertices of the surface; the nearest vertex represents a
-/// sample.
-VoronoiDual openAll(const Surface& surface, const Sampling& sampling,
-					const BoundaryCurves& boundary, Workers& workers)
-{
-	VoronoiDual out;
-	const int   vertexNum = surface.mesh.vertexNum;
-	out.mesh              = copyMesh(surface.mesh, workers);
-	out.surfaceVertex.resize(vertexNum);
-	std::iota(out.surfaceVertex.begin(), out.surfaceVertex.end(), 0);
-	out.label.resize(vertexNum);
-	out.sampleVertex.assign(sampling.samples.size(), -1);
-	for (int s = 0; s < sampling.boundarySampleNum; ++s)
-		out.sampleVertex[s] = boundary.samples[s].vertex;
-	for (int v = 0; v < vertexNum; ++v) {
-		const NearestField::Nearest& near = sampling.nearest[v];
-		out.label[v]                      = near.sample;
-		if (near.sample < sampling.boundarySampleNum) continue;
-		int& best = out.sampleVertex[near.sample];
-		if (best < 0 || near.distance < sampling.nearest[best].distance) best = v;
-	}
-	listTodo(0, out);
-	out.openCellNum = std::int64_t(sampling.samples.size());
-	return out;
-}
 
 } // namespace
 
@@ -610,10 +596,7 @@ VoronoiDual makeVoronoiDual(const Surface& surface, const Sampling& sampling,
 							const BoundaryCurves& boundary, const MeshFigures& input,
 							Workers& workers)
 {
-	VoronoiDual        out;
-	VoronoiDualBuilder contraction(surface, sampling, boundary, workers);
-	if (contraction.run(input, out)) return out;
-	return openAll(surface, sampling, boundary, workers);
+	return VoronoiDualBuilder(surface, sampling, boundary, workers).run(input);
 }
 
 } // namespace gpr

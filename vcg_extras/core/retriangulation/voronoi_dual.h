@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_RETRIANGULATION_VORONOI_DUAL_H
 #define VCG_EXTRAS_CORE_RETRIANGULATION_VORONOI_DUAL_H
 
+#include "sampled_result.h"
+
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
@@ -12,14 +14,10 @@
 namespace gpr {
 
 /// The surface after most Voronoi cells were contracted to a vertex each. The other cells are open:
-/// they have all their vertices, which are to be merged into a single vertex per cell.
-struct VoronoiDual {
-	HalfEdgeMesh     mesh;
-	std::vector<int> label;         ///< per vertex: the sample of its cell
-	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; -1: a whole cell
-	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
-	std::vector<int> todo;          ///< vertices to be merged away
-	std::int64_t     openCellNum = 0;
+/// they have all their vertices, which are to be merged into a single vertex per cell. The vertex
+/// of a contracted cell has surfaceVertex -1.
+struct VoronoiDual : Retriangulated {
+	std::vector<int> label; ///< per vertex: the sample of its cell
 };
 
 /// Stage::Retriangulation, first half: makes the dual of the Voronoi cells. A face with corners in
