@@ -9,89 +9,64 @@
 namespace gpr {
 
 ContactGuard::ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& workers) :
-		m_(mesh), hadContacts_(hadContacts), workers_(workers),
-		goneIn_(std::size_t(mesh.faceNum), 0)
+		m_(mesh), hadContacts_(hadContacts), boxes_(mesh, workers),
+		placeOf_(std::size_t(mesh.faceNum), -1), goneIn_(std::size_t(mesh.faceNum), 0)
 {
-	build();
-}
-
-void ContactGuard::build()
-{
-	boxes_ = std::make_unique<FaceBoxes>(m_, workers_);
-	placeOf_.assign(std::size_t(m_.faceNum), -1);
-	for (int i = 0; i < boxes_->faceNum(); ++i)
-		placeOf_[std::size_t(boxes_->face(i))] = i;
+	for (int i = 0; i < boxes_.faceNum(); ++i)
+		placeOf_[std::size_t(boxes_.face(i))] = i;
 }
 
 void ContactGuard::follow(const std::vector<int>& changed)
 {
 	for (int f : changed)
-		boxes_->grow(placeOf_[std::size_t(f)], boxOfFace(m_, f));
+		boxes_.grow(placeOf_[std::size_t(f)], boxOfFace(m_, f));
 }
 
 bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone)
 {
 	++call_;
-	for (int f : gone)
+	before_.clear();
+	for (int f : gone) {
 		goneIn_[std::size_t(f)] = call_;
+		if (hadContacts_) before_.push_back(triangleOf(m_, f));
+	}
 	boxOfMade_.clear();
 	Box<float> all;
 	for (const NamedTriangle& t : made) {
 		boxOfMade_.push_back(Box<float>::ofPoints(t.at));
 		all += boxOfMade_.back();
 	}
-	if (comesToMirrorImage(made, gone)) return false;
-	return boxes_->forEachMeeting(all, [&](int place) {
-		const int f = boxes_->face(place);
-		return isDeadFace(m_, f) || goneIn_[std::size_t(f)] == call_ || isApartFrom(f, made, gone);
-	}) && areApart(made, gone);
+	if (reachMirrorImage(made) && !reachMirrorImage(before_)) return false;
+	return boxes_.forEachMeeting(all, [&](int place) {
+		const int f = boxes_.face(place);
+		return isDeadFace(m_, f) || goneIn_[std::size_t(f)] == call_ || isApartFrom(f, made);
+	}) && (!touchEachOther(made) || touchEachOther(before_));
 }
 
-/// Whether a new triangle reaches the mirror image, unless a face to replace already did.
-bool ContactGuard::comesToMirrorImage(const std::vector<NamedTriangle>& made,
-									  const std::vector<int>&           gone) const
+bool ContactGuard::reachMirrorImage(const std::vector<NamedTriangle>& triangles) const
 {
-	const auto comes   = [&](const NamedTriangle& t) { return reachesMirrorImage(m_, t); };
-	const auto reached = [&](int f) { return reachesMirrorImage(m_, f); };
-	return std::any_of(made.begin(), made.end(), comes) &&
-		   !(hadContacts_ && std::any_of(gone.begin(), gone.end(), reached));
+	return std::any_of(triangles.begin(), triangles.end(),
+					   [&](const NamedTriangle& t) { return reachesMirrorImage(m_, t); });
 }
 
-bool ContactGuard::isApartFrom(int face, const std::vector<NamedTriangle>& made,
-							   const std::vector<int>& gone) const
+/// Whether no new triangle touches a face, unless a face to replace already did.
+bool ContactGuard::isApartFrom(int face, const std::vector<NamedTriangle>& made) const
 {
-	const Box<float> box = boxOfFace(m_, face);
+	const Box<float>    box       = boxOfFace(m_, face);
+	const NamedTriangle t         = triangleOf(m_, face);
+	const auto          doesTouch = [&](const NamedTriangle& s) { return doTouch(s, t); };
 	for (std::size_t i = 0; i < made.size(); ++i) {
-		if (!boxOfMade_[i].meets(box)) continue;
-		if (!doTouch(made[i], triangleOf(m_, face))) continue;
-		return hadContacts_ && touchedBefore(face, gone);
+		if (boxOfMade_[i].meets(box) && doesTouch(made[i]))
+			return std::any_of(before_.begin(), before_.end(), doesTouch);
 	}
 	return true;
 }
 
-bool ContactGuard::areApart(const std::vector<NamedTriangle>& made,
-							const std::vector<int>&           gone) const
+bool ContactGuard::touchEachOther(const std::vector<NamedTriangle>& triangles) const
 {
-	for (std::size_t i = 0; i < made.size(); ++i) {
-		for (std::size_t k = i + 1; k < made.size(); ++k) {
-			if (doTouch(made[i], made[k])) return hadContacts_ && touchedEachOther(gone);
-		}
-	}
-	return true;
-}
-
-bool ContactGuard::touchedBefore(int face, const std::vector<int>& gone) const
-{
-	const NamedTriangle t = triangleOf(m_, face);
-	return std::any_of(gone.begin(), gone.end(),
-					   [&](int f) { return doTouch(triangleOf(m_, f), t); });
-}
-
-bool ContactGuard::touchedEachOther(const std::vector<int>& gone) const
-{
-	for (std::size_t i = 0; i < gone.size(); ++i) {
-		for (std::size_t k = i + 1; k < gone.size(); ++k) {
-			if (doTouch(triangleOf(m_, gone[i]), triangleOf(m_, gone[k]))) return true;
+	for (std::size_t i = 0; i < triangles.size(); ++i) {
+		for (std::size_t k = i + 1; k < triangles.size(); ++k) {
+			if (doTouch(triangles[i], triangles[k])) return true;
 		}
 	}
 	return false;

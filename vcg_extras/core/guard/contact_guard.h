@@ -7,7 +7,6 @@
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 
-#include <memory>
 #include <vector>
 
 namespace gpr {
@@ -31,25 +30,20 @@ public:
 private:
 	const HalfEdgeMesh&        m_;
 	bool                       hadContacts_;
-	Workers&                   workers_;
-	std::unique_ptr<FaceBoxes> boxes_;
+	FaceBoxes                  boxes_;
 	std::vector<int>           placeOf_; ///< per face: place in the tree, or -1
 	std::vector<unsigned>      goneIn_;  ///< per face: the last call with the face in `gone`
 	unsigned                   call_ = 0;
 	std::vector<Box<float>>    boxOfMade_;
+	std::vector<NamedTriangle> before_; ///< the triangles of `gone` if the mesh had contacts
 
-	void build();
-	bool comesToMirrorImage(const std::vector<NamedTriangle>& made,
-							const std::vector<int>&           gone) const;
 	bool doTouch(const NamedTriangle& s, const NamedTriangle& t) const
 	{
 		return touch(s, t, m_.meetsAtPlaces);
 	}
-	bool areApart(const std::vector<NamedTriangle>& made, const std::vector<int>& gone) const;
-	bool isApartFrom(int face, const std::vector<NamedTriangle>& made,
-					 const std::vector<int>& gone) const;
-	bool touchedBefore(int face, const std::vector<int>& gone) const;
-	bool touchedEachOther(const std::vector<int>& gone) const;
+	bool reachMirrorImage(const std::vector<NamedTriangle>& triangles) const;
+	bool touchEachOther(const std::vector<NamedTriangle>& triangles) const;
+	bool isApartFrom(int face, const std::vector<NamedTriangle>& made) const;
 };
 
 } // namespace gpr
