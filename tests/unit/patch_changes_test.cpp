@@ -5,6 +5,7 @@
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
+#include <vcg_extras/core/guard/face_sets.h>
 #include <vcg_extras/core/guard/patch_changes.h>
 #include <vcg_extras/core/surface/walk.h>
 

@@ -6,6 +6,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
+#include <vcg_extras/core/guard/face_sets.h>
 #include <vcg_extras/core/guard/patch_part.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 

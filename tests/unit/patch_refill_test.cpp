@@ -9,6 +9,7 @@
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/guard/face_sets.h>
 #include <vcg_extras/core/guard/patch_input.h>
 #include <vcg_extras/core/guard/patch_refill.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -70,12 +71,12 @@ public:
 		return refillPatches(surface_, result_, kept, marked, workers, refilled);
 	}
 
-	/// A mark on the faces round some vertices.
-	std::vector<char> marksRound(const std::vector<int>& vertices) const
+	/// A mark on the faces round some vertices, and on further rings of faces.
+	std::vector<char> marksRound(const std::vector<int>& vertices, int rings = 0) const
 	{
 		std::vector<char> marked(std::size_t(result_.mesh.faceNum), 0);
-		for (int v : vertices)
-			forEachOutgoing(result_.mesh, v, [&](int h) { marked[std::size_t(h / 3)] = 1; });
+		for (int f : widened(result_.mesh, facesRound(result_.mesh, vertices), rings))
+			marked[std::size_t(f)] = 1;
 		return marked;
 	}
 
@@ -199,9 +200,8 @@ TEST(PatchRefill, LeavesTheRestAndTheTopology)
 			CoarseResult      coarse(shape.mesh, shape.spacing, random);
 			std::vector<int>  centres = {random.below(coarse.result().mesh.vertexNum),
 										 random.below(coarse.result().mesh.vertexNum)};
-			std::vector<char> marked  = coarse.marksRound(centres);
-			widenMarks(coarse.result().mesh, 1, marked);
-			RefilledMesh made;
+			std::vector<char> marked  = coarse.marksRound(centres, 1);
+			RefilledMesh      made;
 			ASSERT_TRUE(coarse.refill(marked, made));
 			expectWhole(coarse, marked, made);
 			const std::size_t newNum =
@@ -303,9 +303,8 @@ TEST(PatchRefill, FollowsTheInputInside)
 		for (int v = 0; v < result.vertexNum; ++v) {
 			if (result.position[v].z > top) upper.push_back(v);
 		}
-		std::vector<char> marked = coarse.marksRound(upper);
-		widenMarks(result, 1, marked);
-		RefilledMesh made;
+		std::vector<char> marked = coarse.marksRound(upper, 1);
+		RefilledMesh      made;
 		ASSERT_TRUE(coarse.refill(marked, made));
 		expectWhole(coarse, marked, made);
 		EXPECT_NEAR(heightAt(made.guarded->mesh, 1), heightAt(coarse.surface().mesh, 1), 1e-5f);
@@ -461,17 +460,13 @@ TEST(PatchInput, KnowsTheInputsBorderFromWhereItWasCut)
 	EXPECT_GT(borderNum, 5);
 }
 
-TEST(PatchRefill, MarksGrowByRings)
+TEST(FaceSets, GrowByRings)
 {
-	const HalfEdgeMesh m = halfEdgesOf(lattice(20, 20));
-	std::vector<char>  marked(std::size_t(m.faceNum), 0);
-	marked[std::size_t(m.faceNum / 2 + 10)] = 1;
-	widenMarks(m, 0, marked);
-	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 1);
-	widenMarks(m, 1, marked);
-	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 13);
-	widenMarks(m, 1, marked);
-	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 37);
+	const HalfEdgeMesh     m    = halfEdgesOf(lattice(20, 20));
+	const std::vector<int> face = {m.faceNum / 2 + 10};
+	EXPECT_EQ(widened(m, face, 0), face);
+	EXPECT_EQ(widened(m, face, 1).size(), 13u);
+	EXPECT_EQ(widened(m, face, 2).size(), 37u);
 }
 
 namespace {

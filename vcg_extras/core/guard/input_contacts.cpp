@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_contacts.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
+#include "face_sets.h"
+
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -32,28 +33,6 @@ HalfEdgeMesh diagonalsOf(const std::vector<Box<float>>& boxes)
 	return m;
 }
 
-/// Some faces with their vertices, without adjacency.
-HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces)
-{
-	HalfEdgeMesh     to;
-	std::vector<int> corner = verticesOf(from, faces);
-	const int        num    = int(corner.size());
-	reserve(to, num, int(faces.size()));
-	to.vertexNum     = num;
-	to.faceNum       = int(faces.size());
-	to.meetsAtPlaces = from.meetsAtPlaces;
-	for (int v = 0; v < num; ++v) {
-		to.position[v] = from.position[corner[std::size_t(v)]];
-		to.outgoing[v] = -1;
-	}
-	for (int h = 0; h < to.halfEdgeNum(); ++h) {
-		const int v    = from.origin[3 * faces[std::size_t(h / 3)] + h % 3];
-		to.origin[h]   = placeIn(corner, v);
-		to.opposite[h] = -1;
-	}
-	return to;
-}
-
 } // namespace
 
 InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
@@ -69,15 +48,14 @@ InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& resu
 	const std::vector<int> nearFaces = workers.collectIf(std::size_t(input.faceNum), [&](int f) {
 		return !tree.forEachMeeting(boxOfFace(input, f), [](int) { return false; });
 	});
-	const HalfEdgeMesh     near      = facesAlone(input, nearFaces);
+	const HalfEdgeMesh     near      = facesAlone(input, nearFaces, verticesOf(input, nearFaces));
 	// At cuts of the input, the two sides have different vertices here and touch at once.
 	const std::vector<FacePair> found = findTouchingPairs(near, workers, Seams::Apart);
 	pairNum_                          = std::int64_t(found.size());
 	if (found.empty()) return;
-	std::vector<Box<float>> boxes;
-	for (int f : facesOf(found))
-		boxes.push_back(boxOfFace(near, f));
-	touching_ = std::make_unique<FaceBoxes>(diagonalsOf(boxes), workers);
+	const std::vector<int> touching = facesOf(found);
+	touching_ = std::make_unique<FaceBoxes>(facesAlone(near, touching, verticesOf(near, touching)),
+											workers);
 }
 
 Box<float> InputContacts::surroundings(const HalfEdgeMesh& result, int f) const

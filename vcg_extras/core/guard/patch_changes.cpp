@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_changes.h"
 
+#include "face_sets.h"
+
 #include <vcg_extras/core/optimization/face_goals.h>
 
 #include <algorithm>
@@ -32,14 +34,12 @@ std::vector<char> changedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& n
 }
 
 /// Whether all changes are where the patch may change: in the marked faces and some rings round.
-bool staysWithin(const HalfEdgeMesh& before, std::vector<char> marked,
+bool staysWithin(const HalfEdgeMesh& before, const std::vector<char>& marked,
 				 const std::vector<char>& isChanged)
 {
-	widenMarks(before, ringsChanged, marked);
-	for (std::size_t f = 0; f < marked.size(); ++f) {
-		if (isChanged[f] && !marked[f]) return false;
-	}
-	return true;
+	const std::vector<int> faces   = widened(before, markedFaces(marked), ringsChanged);
+	const std::vector<int> changed = markedFaces(isChanged);
+	return std::includes(faces.begin(), faces.end(), changed.begin(), changed.end());
 }
 
 } // namespace

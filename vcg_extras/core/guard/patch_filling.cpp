@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_filling.h"
 
+#include "face_sets.h"
 #include "guarded_relaxation.h"
 #include "made_vertex.h"
 
@@ -45,21 +46,13 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 
 void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const
 {
-	std::vector<char> here(marked.size(), 0);
-	const auto        markRound = [&](int v) {
-        const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
-        forEachOutgoing(result_.mesh, refilled_.label[std::size_t(anchor)],
-							   [&](int h) { here[std::size_t(h / 3)] = 1; });
-	};
-	for (const FacePair& pair : pairs) {
-		for (int f : {pair.first, pair.second}) {
-			for (int h = 3 * f; h < 3 * f + 3; ++h)
-				markRound(mesh().origin[h]);
-		}
+	std::vector<int> labels;
+	for (int v : verticesOf(mesh(), facesOf(pairs))) {
+		const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
+		labels.push_back(refilled_.label[std::size_t(anchor)]);
 	}
-	widenMarks(result_.mesh, ringsAround, here);
-	for (std::size_t f = 0; f < here.size(); ++f)
-		marked[f] = char(marked[f] | here[f]);
+	for (int f : widened(result_.mesh, facesRound(result_.mesh, labels), ringsAround))
+		marked[std::size_t(f)] = 1;
 }
 
 bool PatchFilling::isChanged(int face) const

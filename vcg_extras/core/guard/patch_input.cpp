@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
+#include "face_sets.h"
+
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 
@@ -92,68 +94,26 @@ private:
 };
 
 /// The faces of the input with all corners in cells.
-class Extraction {
-public:
-	Extraction(const HalfEdgeMesh& m, const LocalCells& cells) : m_(m)
-	{
-		local_.inputVertex = cells.reached();
-		std::sort(local_.inputVertex.begin(), local_.inputVertex.end());
-		local_.ownNum = int(local_.inputVertex.size());
-		for (int v : local_.inputVertex)
-			local_.byEdges.push_back(cells.labelOf(v));
-	}
-
-	PatchInput run(Workers& workers)
-	{
-		collectFaces();
-		workers.poll();
-		HalfEdgeMesh& to = local_.mesh;
-		reserve(to, local_.ownNum, int(face_.size()));
-		to.mirrorAxis = m_.mirrorAxis;
-		to.vertexNum  = local_.ownNum;
-		to.faceNum    = int(face_.size());
-		to.crease     = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
-		for (int v = 0; v < to.vertexNum; ++v) {
-			to.position[v] = m_.position[local_.inputVertex[std::size_t(v)]];
-			to.outgoing[v] = -1;
-		}
-		for (int h = 0; h < to.halfEdgeNum(); ++h)
-			copyHalfEdge(h);
-		for (int h = 0; h < to.halfEdgeNum(); ++h) {
-			if (to.opposite[h] < 0) to.outgoing[to.origin[h]] = h;
-		}
-		return std::move(local_);
-	}
-
-private:
-	const HalfEdgeMesh& m_;
-	PatchInput          local_;
-	std::vector<int>    face_; ///< of the input, ascending
-
-	void collectFaces()
-	{
-		std::vector<int> met;
-		for (int v : local_.inputVertex)
-			forEachOutgoing(m_, v, [&](int h) { met.push_back(h / 3); });
-		std::sort(met.begin(), met.end());
-		// A face appears once for each reached corner.
-		for (std::size_t i = 0; i + 2 < met.size(); ++i) {
-			if (met[i] == met[i + 2]) face_.push_back(met[i]);
-		}
-	}
-
-	void copyHalfEdge(int h)
-	{
-		HalfEdgeMesh& to          = local_.mesh;
-		const int     from        = 3 * face_[std::size_t(h / 3)] + h % 3;
-		const int     other       = m_.opposite[from];
-		const int     place       = other < 0 ? -1 : placeIn(face_, other / 3);
-		to.origin[h]              = placeIn(local_.inputVertex, m_.origin[from]);
-		to.opposite[h]            = place < 0 ? -1 : 3 * place + other % 3;
-		to.crease[h]              = char(other < 0);
-		to.outgoing[to.origin[h]] = h;
-	}
-};
+PatchInput facesInCells(const HalfEdgeMesh& m, const LocalCells& cells, Workers& workers)
+{
+	PatchInput local;
+	local.inputVertex = cells.reached();
+	std::sort(local.inputVertex.begin(), local.inputVertex.end());
+	local.ownNum = int(local.inputVertex.size());
+	for (int v : local.inputVertex)
+		local.byEdges.push_back(cells.labelOf(v));
+	const std::vector<int> faces   = facesBetween(m, local.inputVertex);
+	const auto             inInput = [&](int h) { return 3 * faces[std::size_t(h / 3)] + h % 3; };
+	HalfEdgeMesh&          to      = local.mesh;
+	to                             = facesAlone(m, faces, local.inputVertex);
+	linkFaces(to, workers, [&](const EdgeSide* side, std::size_t num) {
+		return num == 2 && m.opposite[inInput(side[0].halfEdge)] == inInput(side[1].halfEdge);
+	});
+	to.crease.reset(std::size_t(to.halfEdgeNum()));
+	for (int h = 0; h < to.halfEdgeNum(); ++h)
+		to.crease[h] = char(m.isBorderEdge(inInput(h)));
+	return local;
+}
 
 /// Splits edges longer than a share of the result's edges near by.
 class PatchSubdivision {
@@ -301,7 +261,7 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 {
 	const std::size_t       most = mostVerticesFor(role);
 	const LocalCells        cells(surface, result, role, reach, most, workers);
-	PatchInput              local  = Extraction(surface.mesh, cells).run(workers);
+	PatchInput              local  = facesInCells(surface.mesh, cells, workers);
 	const std::vector<char> isDeep = deepVertices(result.mesh, role);
 	PatchSubdivision(result.mesh, isDeep, local).run(most, workers);
 	local.share     = double(local.mesh.vertexNum) / double(most);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_part.h"
 
+#include "face_sets.h"
+
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
@@ -101,28 +103,18 @@ private:
 
 } // namespace
 
-std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings)
+bool PatchPart::hasRoomFor(const std::vector<char>& marked) const
 {
-	for (int ring = 0; ring < rings; ++ring)
-		faces = facesRound(mesh, verticesOf(mesh, faces));
-	return faces;
-}
-
-bool PatchPart::hasRoomFor(std::vector<char> marked) const
-{
-	widenMarks(result.mesh, ringsLooked, marked);
-	for (std::size_t f = 0; f < marked.size(); ++f) {
-		if (marked[f] && isRim[f]) return false;
-	}
-	return true;
+	const std::vector<int> faces = widened(result.mesh, markedFaces(marked), ringsLooked);
+	return std::none_of(faces.begin(), faces.end(),
+						[&](int f) { return isRim[std::size_t(f)] != 0; });
 }
 
 std::vector<int> PatchPart::inWhole(const std::vector<char>& marked) const
 {
 	std::vector<int> faces;
-	for (std::size_t f = 0; f < marked.size(); ++f) {
-		if (marked[f]) faces.push_back(face[f]);
-	}
+	for (int f : markedFaces(marked))
+		faces.push_back(face[std::size_t(f)]);
 	std::sort(faces.begin(), faces.end());
 	return faces;
 }

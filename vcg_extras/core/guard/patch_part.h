@@ -15,9 +15,6 @@ namespace gpr {
 /// Rings of faces round marked faces that may change too: vertices of two rings move.
 constexpr int ringsChanged = 3;
 
-/// Adds the faces at the vertices of the faces, `rings` times; ascending.
-std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings);
-
 /// A patch of a result with rings of faces round the patch, as a result of its own.
 struct PatchPart {
 	ResultMesh        result;
@@ -26,7 +23,7 @@ struct PatchPart {
 	std::vector<char> isRim;  ///< per face: in the outermost ring
 
 	/// Whether the marks are so far from the rim that no change comes near the rim.
-	bool hasRoomFor(std::vector<char> marked) const;
+	bool hasRoomFor(const std::vector<char>& marked) const;
 	/// The marked faces of the whole, ascending.
 	std::vector<int> inWhole(const std::vector<char>& marked) const;
 };

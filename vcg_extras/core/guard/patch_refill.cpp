@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_refill.h"
 
+#include "face_sets.h"
 #include "patch_input.h"
 
 #include <vcg_extras/core/base/triangle.h>
@@ -113,7 +114,8 @@ public:
 	void take(const std::vector<int>& keptInput, bool hasContacts, RefilledMesh& to)
 	{
 		to.guarded = std::make_unique<GuardedMesh>(std::move(mesh_), hasContacts);
-		assignInput(*to.guarded);
+		// In place of the triangles of the first filling or of the result.
+		to.guarded->assign(local_.mesh, nameOfLocal_);
 		fix(keptInput, *to.guarded);
 		to.resultVertex = std::move(resultVertex_);
 		to.inputVertex  = std::move(inputVertex_);
@@ -163,14 +165,12 @@ private:
 	void nameVertices()
 	{
 		const HalfEdgeMesh& r = result_.mesh;
+		reserve(mesh_, r.vertexNum + local_.mesh.vertexNum, 0);
 		nameOfResult_.assign(std::size_t(r.vertexNum), -1);
 		nameOfLocal_.assign(std::size_t(local_.mesh.vertexNum), -1);
 		for (int v = 0; v < r.vertexNum; ++v) {
 			if (roleOf(v) == Role::Inside) continue;
-			nameOfResult_[std::size_t(v)] = int(resultVertex_.size());
-			resultVertex_.push_back(v);
-			inputVertex_.push_back(-1);
-			labelOf_.push_back(v);
+			nameOfResult_[std::size_t(v)] = addVertex(v, -1, v, r.position[v]);
 		}
 		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
 			const int label = label_[std::size_t(v)];
@@ -179,11 +179,20 @@ private:
 				continue;
 			}
 			if (local_.mesh.outgoing[v] < 0) continue;
-			nameOfLocal_[std::size_t(v)] = int(resultVertex_.size());
-			resultVertex_.push_back(-1);
-			inputVertex_.push_back(local_.inputVertex[std::size_t(v)]);
-			labelOf_.push_back(label);
+			nameOfLocal_[std::size_t(v)] =
+				addVertex(-1, local_.inputVertex[std::size_t(v)], label, local_.mesh.position[v]);
 		}
+	}
+
+	int addVertex(int inResult, int inInput, int label, const Vec3f& place)
+	{
+		const int v       = mesh_.vertexNum++;
+		mesh_.position[v] = place;
+		mesh_.outgoing[v] = -1;
+		resultVertex_.push_back(inResult);
+		inputVertex_.push_back(inInput);
+		labelOf_.push_back(label);
+		return v;
 	}
 
 	void collectTriangles()
@@ -261,25 +270,6 @@ private:
 
 	void blame(int v) { culprits_.push_back(labelOf_[std::size_t(v)]); }
 
-	void placeVertices()
-	{
-		mesh_.vertexNum  = int(resultVertex_.size());
-		mesh_.mirrorAxis = result_.mesh.mirrorAxis;
-		mesh_.faceNum    = int(triangle_.size());
-		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
-		mesh_.meetsAtPlaces = result_.mesh.meetsAtPlaces;
-		for (int v = 0; v < mesh_.vertexNum; ++v) {
-			const int w       = resultVertex_[std::size_t(v)];
-			mesh_.outgoing[v] = -1;
-			if (w >= 0) mesh_.position[v] = result_.mesh.position[w];
-		}
-		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
-			const int name = nameOfLocal_[std::size_t(v)];
-			if (name >= 0 && resultVertex_[std::size_t(name)] < 0)
-				mesh_.position[name] = local_.mesh.position[v];
-		}
-	}
-
 	/// Whether the sides of an edge are a pair. Blames the ends if the sides cannot be all sides of
 	/// an edge of the result: more than two, or a single side inside of the surface.
 	bool isPair(const EdgeSide* side, std::size_t num)
@@ -298,7 +288,10 @@ private:
 
 	void link()
 	{
-		placeVertices();
+		mesh_.faceNum       = int(triangle_.size());
+		mesh_.mirrorAxis    = result_.mesh.mirrorAxis;
+		mesh_.meetsAtPlaces = result_.mesh.meetsAtPlaces;
+		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
 		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
 			mesh_.origin[h] = triangle_[std::size_t(h / 3)][std::size_t(h % 3)];
 		linkFaces(mesh_, workers_,
@@ -315,10 +308,6 @@ private:
 			if (faces[std::size_t(v)] != mesh_.valence(v) || faces[std::size_t(v)] == 0) blame(v);
 		}
 	}
-
-	/// Assigns the working surface to the vertices in and round patches, in place of the triangles
-	/// of the first filling or of the result.
-	void assignInput(GuardedMesh& g) const { g.assign(local_.mesh, nameOfLocal_); }
 
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
 	{
@@ -392,19 +381,16 @@ private:
 bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int rings,
 			   std::vector<char>& marked)
 {
-	std::vector<char> here(marked.size(), 0);
-	for (int v : vertices)
-		forEachOutgoing(m, v, [&](int h) { here[std::size_t(h / 3)] = 1; });
-	widenMarks(m, rings, here);
-	for (std::vector<char> before; here != before;) {
+	std::vector<int> here = widened(m, facesRound(m, vertices), rings);
+	for (std::size_t before = 0; here.size() > before;) {
 		bool isNew = false;
-		for (std::size_t f = 0; f < here.size(); ++f) {
-			isNew     = isNew || here[f] > marked[f];
-			marked[f] = char(marked[f] | here[f]);
+		for (int f : here) {
+			isNew                  = isNew || !marked[std::size_t(f)];
+			marked[std::size_t(f)] = 1;
 		}
 		if (isNew) return true;
-		before = here;
-		widenMarks(m, 1, here);
+		before = here.size();
+		here   = widened(m, here, 1);
 	}
 	return false;
 }
@@ -423,19 +409,6 @@ std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 }
 
 } // namespace
-
-void widenMarks(const HalfEdgeMesh& m, int rings, std::vector<char>& marked)
-{
-	for (int ring = 0; ring < rings; ++ring) {
-		std::vector<char> isCorner(std::size_t(m.vertexNum), 0);
-		for (int h = 0; h < m.halfEdgeNum(); ++h) {
-			if (marked[std::size_t(h / 3)]) isCorner[std::size_t(m.origin[h])] = 1;
-		}
-		for (int h = 0; h < m.halfEdgeNum(); ++h) {
-			if (isCorner[std::size_t(m.origin[h])]) marked[std::size_t(h / 3)] = 1;
-		}
-	}
-}
 
 bool refillPatches(const Surface& surface, const ResultMesh& result,
 				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,

@@ -48,9 +48,6 @@ bool refillPatches(const Surface& surface, const ResultMesh& result,
 				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,
 				   RefilledMesh& refilled, const HasRoom& hasRoom = {});
 
-/// Marks the faces at the vertices of marked faces, `rings` times.
-void widenMarks(const HalfEdgeMesh& mesh, int rings, std::vector<char>& marked);
-
 } // namespace gpr
 
 #endif

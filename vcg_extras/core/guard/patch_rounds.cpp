@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_rounds.h"
 
+#include "face_sets.h"
 #include "patch_changes.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace gpr {
@@ -42,9 +46,6 @@ struct Patch {
 	int              tries = 0;
 };
 
-/// Pairs of touching faces, in ascending order of the first face.
-using Partners = std::vector<std::pair<int, int>>;
-
 /// The outcome of a turn of a patch.
 struct Try {
 	FilledPart       filled;
@@ -58,8 +59,7 @@ public:
 	Rounds(const MakingOfVertices& making, const InputContacts& ofInput, ResultMesh& result,
 		   Workers& workers) :
 			making_(making),
-			ofInput_(ofInput), result_(result), workers_(workers),
-			isLost_(std::size_t(result.mesh.vertexNum), 0)
+			ofInput_(ofInput), result_(result), workers_(workers)
 	{
 	}
 
@@ -81,23 +81,36 @@ private:
 	const InputContacts&    ofInput_;
 	ResultMesh&             result_;
 	Workers&                workers_;
-	std::vector<char>       isLost_; ///< per vertex: in a patch that was given up
+	std::vector<int>        lost_; ///< vertices of patches that were given up
 	std::vector<Patch>      waiting_;
 	PatchOutcome            outcome_;
 	double                  lostWork_ = 0;
 
+	/// Makes patches of the faces round the pairs. Faces are in the same patch if connected by
+	/// vertices or by contacts: touching walls are made anew together, so that each can follow the
+	/// other.
 	void findPatches(const std::vector<FacePair>& pairs, int rings)
 	{
-		const HalfEdgeMesh& m = result_.mesh;
-		std::vector<char>   marked(std::size_t(m.faceNum), 0);
+		const HalfEdgeMesh&    m     = result_.mesh;
+		const std::vector<int> faces = widened(m, facesOf(pairs), rings);
+		std::vector<int>       parent(std::size_t(m.faceNum)), faceAt(std::size_t(m.vertexNum), -1);
+		std::iota(parent.begin(), parent.end(), 0);
+		for (int f : faces) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				int& first = faceAt[std::size_t(m.origin[h])];
+				if (first < 0) first = f;
+				joinSets(parent, first, f);
+			}
+		}
 		for (const FacePair& pair : pairs)
-			marked[std::size_t(pair.first)] = marked[std::size_t(pair.second)] = 1;
-		widenMarks(m, rings, marked);
-		const Partners partners = partnersIn(pairs);
-		for (int f = 0; f < m.faceNum; ++f) {
-			if (!marked[std::size_t(f)]) continue;
+			joinSets(parent, pair.first, pair.second);
+		std::map<int, std::vector<int>> facesOfPatch; // by the first face
+		for (int f : faces)
+			facesOfPatch[rootOf(parent, f)].push_back(f);
+		sortUnique(lost_);
+		for (const auto& own : facesOfPatch) {
 			Patch patch;
-			patch.vertex = verticesOf(m, takeConnected(f, partners, marked));
+			patch.vertex = verticesOf(m, own.second);
 			if (!isLost(patch)) waiting_.push_back(std::move(patch));
 		}
 		std::stable_sort(waiting_.begin(), waiting_.end(), [](const Patch& a, const Patch& b) {
@@ -105,44 +118,11 @@ private:
 		});
 	}
 
+	/// lost_ must be sorted.
 	bool isLost(const Patch& patch) const
 	{
 		return std::any_of(patch.vertex.begin(), patch.vertex.end(),
-						   [&](int v) { return isLost_[std::size_t(v)] != 0; });
-	}
-
-	/// The pairs in both orders, ascending.
-	static Partners partnersIn(const std::vector<FacePair>& pairs)
-	{
-		Partners partners;
-		for (const FacePair& pair : pairs) {
-			partners.push_back({pair.first, pair.second});
-			partners.push_back({pair.second, pair.first});
-		}
-		std::sort(partners.begin(), partners.end());
-		return partners;
-	}
-
-	/// The marked faces connected to f by vertices or by contacts; removes their marks. Touching
-	/// walls are made anew together, so that each can follow the other.
-	std::vector<int> takeConnected(int f, const Partners& partners, std::vector<char>& marked) const
-	{
-		std::vector<int> faces;
-		const auto       take = [&](int g) {
-            if (!marked[std::size_t(g)]) return;
-            marked[std::size_t(g)] = 0;
-            faces.push_back(g);
-		};
-		take(f);
-		for (std::size_t i = 0; i < faces.size(); ++i) {
-			const int face = faces[i];
-			for (int h = 3 * face; h < 3 * face + 3; ++h)
-				forEachOutgoing(result_.mesh, result_.mesh.origin[h], [&](int g) { take(g / 3); });
-			auto pair = std::lower_bound(partners.begin(), partners.end(), std::pair(face, 0));
-			for (; pair != partners.end() && pair->first == face; ++pair)
-				take(pair->second);
-		}
-		return faces;
+						   [&](int v) { return placeIn(lost_, v) >= 0; });
 	}
 
 	bool isExhausted() const
@@ -165,20 +145,6 @@ private:
 		}
 	}
 
-	/// The faces between the vertices of a patch.
-	std::vector<int> facesOf(const Patch& patch) const
-	{
-		std::vector<int> faces     = facesRound(result_.mesh, patch.vertex);
-		const auto       isOutside = [&](int f) {
-            const int* corner = &result_.mesh.origin[3 * f];
-            return std::any_of(corner, corner + 3, [&](int v) {
-                return !std::binary_search(patch.vertex.begin(), patch.vertex.end(), v);
-            });
-		};
-		faces.erase(std::remove_if(faces.begin(), faces.end(), isOutside), faces.end());
-		return faces;
-	}
-
 	/// Marks the faces as taken, unless some face, or a face next to these, is taken already.
 	bool claim(const std::vector<int>& faces, std::vector<char>& isTaken) const
 	{
@@ -199,10 +165,10 @@ private:
 		const Components              components = findComponents(result_.mesh, workers_);
 		const std::vector<int>        faceNum    = faceNumOf(components);
 		for (Patch& patch : waiting_) {
-			std::vector<int> own = facesOf(patch);
+			std::vector<int> own = facesBetween(result_.mesh, patch.vertex);
 			if (own.empty()) continue;
 			if (areMost(own, components, faceNum) || patch.tries >= mostTries) {
-				giveUp(patch);
+				lost_.insert(lost_.end(), patch.vertex.begin(), patch.vertex.end());
 				continue;
 			}
 			if (!claim(widened(result_.mesh, own, ringsChanged), isTaken)) {
@@ -222,12 +188,6 @@ private:
 			fillOne(tree, faces[i], now[i].tries, work, inner, tries[i]);
 		});
 		take(now, tries);
-	}
-
-	void giveUp(const Patch& patch)
-	{
-		for (int v : patch.vertex)
-			isLost_[std::size_t(v)] = 1;
 	}
 
 	/// Per component: the number of its faces.
@@ -313,23 +273,19 @@ private:
 		if (filled.empty()) return;
 		std::vector<int> newIndex;
 		putBack(filled, result_, newIndex);
-		rename(newIndex);
+		rename(newIndex, lost_);
+		for (Patch& patch : waiting_)
+			rename(newIndex, patch.vertex);
 	}
 
-	void rename(const std::vector<int>& newIndex)
+	/// Old vertices keep their order.
+	static void rename(const std::vector<int>& newIndex, std::vector<int>& vertices)
 	{
-		std::vector<char> isLost(std::size_t(result_.mesh.vertexNum), 0);
-		for (std::size_t v = 0; v < newIndex.size(); ++v) {
-			if (newIndex[v] >= 0) isLost[std::size_t(newIndex[v])] = isLost_[v];
+		std::vector<int> left;
+		for (int v : vertices) {
+			if (newIndex[std::size_t(v)] >= 0) left.push_back(newIndex[std::size_t(v)]);
 		}
-		isLost_ = std::move(isLost);
-		for (Patch& patch : waiting_) {
-			std::vector<int> renamed;
-			for (int v : patch.vertex) {
-				if (newIndex[std::size_t(v)] >= 0) renamed.push_back(newIndex[std::size_t(v)]);
-			}
-			patch.vertex = std::move(renamed);
-		}
+		vertices = std::move(left);
 	}
 };
 

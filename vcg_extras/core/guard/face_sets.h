@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_GUARD_FACE_SETS_H
+#define VCG_EXTRAS_CORE_GUARD_FACE_SETS_H
+
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <vector>
+
+namespace gpr {
+
+// Sets of faces; all lists are ascending.
+
+/// The faces with a mark.
+std::vector<int> markedFaces(const std::vector<char>& marked);
+
+/// Adds the faces at the vertices of the faces, `rings` times.
+std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings);
+
+/// The faces with all corners among the vertices.
+std::vector<int> facesBetween(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
+
+/// A mesh of some faces and vertices, without adjacency. vertices: all corners of the faces, and
+/// any others.
+HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
+						const std::vector<int>& vertices);
+
+} // namespace gpr
+
+#endif
