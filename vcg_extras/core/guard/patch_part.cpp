@@ -169,21 +169,12 @@ public:
 			nameFaces(part);
 		reserve(m_, m_.vertexNum, m_.faceNum);
 		if (old.hasCreases()) m_.crease.reset(m_.halfEdgeNum());
-		for (int h = 0; h < old.halfEdgeNum(); ++h) {
-			const int to = renamed(h);
-			if (to < 0) continue;
-			if (m_.hasCreases()) m_.crease[to] = old.crease[h];
-			m_.origin[to]   = newIndex_[std::size_t(old.origin[h])];
-			m_.opposite[to] = old.opposite[h] < 0 ? -1 : renamed(old.opposite[h]);
+		add(old, whole_.vertex, newIndex_, newFace_, [](int) { return -1; });
+		for (std::size_t i = 0; i < parts_.size(); ++i) {
+			const FilledPart& p = parts_[i];
+			add(p.filled.mesh, p.filled.vertex, vertexName_[i], faceName_[i],
+				[&](int h) { return renamed(oldHalfEdge(p, h)); });
 		}
-		for (int v = 0; v < old.vertexNum; ++v) {
-			const int to = newIndex_[std::size_t(v)];
-			if (to < 0) continue;
-			m_.position[to]          = old.position[v];
-			vertex_[std::size_t(to)] = whole_.vertex[std::size_t(v)];
-		}
-		for (std::size_t i = 0; i < parts_.size(); ++i)
-			add(parts_[i], vertexName_[i], faceName_[i]);
 		link();
 		whole_.mesh   = std::move(m_);
 		whole_.vertex = std::move(vertex_);
@@ -256,10 +247,13 @@ private:
 		}
 	}
 
-	void add(const FilledPart& p, const std::vector<int>& vertexName,
-			 const std::vector<int>& faceName)
+	/// Adds the faces that have a name. elsewhere(h): the new name of a half-edge of another face,
+	/// or -1 if the part with this half-edge follows.
+	template <class Elsewhere>
+	void add(const HalfEdgeMesh& from, const std::vector<ResultVertex>& vertex,
+			 const std::vector<int>& vertexName, const std::vector<int>& faceName,
+			 const Elsewhere& elsewhere)
 	{
-		const HalfEdgeMesh& from = p.filled.mesh;
 		for (int h = 0; h < from.halfEdgeNum(); ++h) {
 			const int f = faceName[std::size_t(h / 3)];
 			if (f < 0) continue;
@@ -267,13 +261,13 @@ private:
 			m_.origin[to] = name;
 			if (m_.hasCreases()) m_.crease[to] = from.isCreaseEdge(h);
 			m_.position[name]          = from.position[v];
-			vertex_[std::size_t(name)] = p.filled.vertex[std::size_t(v)];
+			vertex_[std::size_t(name)] = vertex[std::size_t(v)];
+			m_.opposite[to]            = -1;
 			const int g                = from.opposite[h];
-			const int across           = g < 0 ? -1 : faceName[std::size_t(g / 3)];
-			m_.opposite[to]            = g < 0        ? -1
-										 : across < 0 ? renamed(oldHalfEdge(p, g))
-													  : 3 * across + g % 3;
-			if (g >= 0 && across < 0) m_.opposite[m_.opposite[to]] = to;
+			if (g < 0) continue;
+			const int across = faceName[std::size_t(g / 3)];
+			m_.opposite[to]  = across < 0 ? elsewhere(g) : 3 * across + g % 3;
+			if (m_.opposite[to] >= 0) m_.opposite[m_.opposite[to]] = to;
 		}
 	}
 
