@@ -4,9 +4,9 @@
 
 #include "face_sets.h"
 #include "guarded_relaxation.h"
-#include "made_vertex.h"
 
 #include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <utility>
 
@@ -19,20 +19,73 @@ constexpr int ringsRelaxed = 2;
 /// Weight of an edge's length in patches, against the distance from the input.
 constexpr double patchLengthWeight = 0.3;
 
+/// Number of vertex v in the result, or -1 inside patches.
+int oldVertex(const RefilledMesh& made, int v)
+{
+	return made.resultVertex[std::size_t(made.guarded->vertex[std::size_t(v)].anchor)];
+}
+
+/// The record of vertex v, on no curve. The point is the nearest in a search from vertex `near` of
+/// the surface. A fixed vertex is pinned.
+ResultVertex madeVertex(const Surface& surface, int near, const GuardedMesh& made, int v)
+{
+	ResultVertex vertex;
+	vertex.point    = nearestByDescent(surface.mesh, near, made.mesh.position[v]);
+	vertex.normal   = surface.mesh.faceNormal(vertex.point.face);
+	vertex.isPinned = made.isFixed(v);
+	vertex.isMade   = true;
+	return vertex;
+}
+
+ResultVertex recordOf(const Surface& surface, const ResultMesh& result, const RefilledMesh& made,
+					  int v)
+{
+	const GuardedMesh& g   = *made.guarded;
+	const int          old = oldVertex(made, v);
+	if (old < 0) {
+		const int anchor = g.vertex[std::size_t(v)].anchor;
+		return madeVertex(surface, made.inputVertex[std::size_t(anchor)], g, v);
+	}
+	const ResultVertex& before = result.vertex[std::size_t(old)];
+	if (g.mesh.position[v] == result.mesh.position[old]) return before;
+	ResultVertex moved = madeVertex(surface, surface.mesh.origin[3 * before.point.face], g, v);
+	moved.sample       = before.sample;
+	moved.isMade       = before.isMade;
+	return moved;
+}
+
 } // namespace
+
+GuardedSettings settingsFor(const MakingOfVertices& making, const ResultMesh& result,
+							double lengthWeight)
+{
+	GuardedSettings settings;
+	settings.targetNum        = result.mesh.vertexNum;
+	settings.keepsBorder      = result.keepsBorder;
+	settings.idealEdge        = double(result.idealEdge);
+	settings.lengthWeight     = lengthWeight;
+	settings.mayLeaveVertices = making.mayLeaveSurface;
+	return settings;
+}
+
+Filled takeFilled(const Surface& surface, const ResultMesh& result, RefilledMesh& made)
+{
+	Filled filled;
+	for (int v = 0; v < made.guarded->mesh.vertexNum; ++v) {
+		filled.vertex.push_back(recordOf(surface, result, made, v));
+		filled.oldVertex.push_back(oldVertex(made, v));
+	}
+	filled.mesh = std::move(made.guarded->mesh);
+	return filled;
+}
 
 bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 {
 	if (!refillPatches(making_.surface, result_, making_.kept, marked, workers_, refilled_,
 					   hasRoom))
 		return false;
-	GuardedMesh&    guarded = *refilled_.guarded;
-	GuardedSettings settings;
-	settings.targetNum        = result_.mesh.vertexNum;
-	settings.keepsBorder      = result_.keepsBorder;
-	settings.idealEdge        = double(result_.idealEdge);
-	settings.lengthWeight     = patchLengthWeight;
-	settings.mayLeaveVertices = making_.mayLeaveSurface;
+	GuardedMesh&          guarded  = *refilled_.guarded;
+	const GuardedSettings settings = settingsFor(making_, result_, patchLengthWeight);
 	// A patch enclosed by few border cells goes to these cells, so a small patch may end with fewer
 	// vertices than before.
 	if (guarded.mesh.vertexNum < settings.targetNum ||
@@ -55,28 +108,6 @@ void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<ch
 		marked[std::size_t(f)] = 1;
 }
 
-bool PatchFilling::isChanged(int face) const
-{
-	return !refilled_.guarded->isFixedFace(face);
-}
-
-Filled PatchFilling::take()
-{
-	Filled filled;
-	for (int v = 0; v < mesh().vertexNum; ++v) {
-		filled.vertex.push_back(recordOf(v));
-		filled.oldVertex.push_back(oldVertex(v));
-	}
-	filled.mesh = std::move(refilled_.guarded->mesh);
-	return filled;
-}
-
-/// Number of vertex v in the result, or -1 inside patches.
-int PatchFilling::oldVertex(int v) const
-{
-	return refilled_.resultVertex[std::size_t(refilled_.guarded->vertex[std::size_t(v)].anchor)];
-}
-
 /// Frees vertices next to patches, so that shapes change gradually.
 void PatchFilling::freeAround()
 {
@@ -96,27 +127,10 @@ void PatchFilling::freeAround()
 
 bool PatchFilling::mayFree(int v) const
 {
-	const int old = oldVertex(v);
+	const int old = oldVertex(refilled_, v);
 	if (old < 0) return false;
 	const ResultVertex& vertex = result_.vertex[std::size_t(old)];
 	return !vertex.isPinned && !vertex.isShared && !vertex.isCorner && vertex.curve < 0;
-}
-
-ResultVertex PatchFilling::recordOf(int v) const
-{
-	const int old = oldVertex(v);
-	if (old < 0) {
-		const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
-		const int near   = refilled_.inputVertex[std::size_t(anchor)];
-		return madeVertex(making_.surface, near, *refilled_.guarded, v);
-	}
-	const ResultVertex& before = result_.vertex[std::size_t(old)];
-	if (mesh().position[v] == result_.mesh.position[old]) return before;
-	const int    near  = making_.surface.mesh.origin[3 * before.point.face];
-	ResultVertex moved = madeVertex(making_.surface, near, *refilled_.guarded, v);
-	moved.sample       = before.sample;
-	moved.isMade       = before.isMade;
-	return moved;
 }
 
 } // namespace gpr

@@ -33,6 +33,14 @@ struct Filled {
 										 ///< patches
 };
 
+/// The settings for collapses to the result's number of vertices.
+GuardedSettings settingsFor(const MakingOfVertices& making, const ResultMesh& result,
+							double lengthWeight);
+
+/// Takes the mesh out of `made`, with a record for each vertex: new for vertices in the patches,
+/// and for vertices that have moved. Cost: a search for each new record.
+Filled takeFilled(const Surface& surface, const ResultMesh& result, RefilledMesh& made);
+
 /// Makes patches of a result anew. The triangles of the working surface replace a patch
 /// (refillPatches), and guarded collapses reduce them to the result's number of vertices
 /// (guarded_decimation.h). Then flips and slides make the triangles in and round the patches more
@@ -57,13 +65,13 @@ public:
 	/// Number of looks at vertices of the working surface.
 	double work() const { return refilled_.work; }
 	/// Whether a face of mesh() differs from the result's faces, or may have moved.
-	bool isChanged(int face) const;
+	bool isChanged(int face) const { return !refilled_.guarded->isFixedFace(face); }
 
 	/// Marks the faces of the result around pairs of faces of mesh().
 	void markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const;
 
 	/// Returns the mesh; mesh() is empty afterwards.
-	Filled take();
+	Filled take() { return takeFilled(making_.surface, result_, refilled_); }
 
 private:
 	const MakingOfVertices& making_;
@@ -72,10 +80,8 @@ private:
 	RefilledMesh            refilled_;
 	bool                    isSound_ = false;
 
-	int          oldVertex(int v) const;
-	void         freeAround();
-	bool         mayFree(int v) const;
-	ResultVertex recordOf(int v) const;
+	void freeAround();
+	bool mayFree(int v) const;
 };
 
 } // namespace gpr
