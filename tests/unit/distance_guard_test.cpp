@@ -57,7 +57,7 @@ TEST(DistanceGuard, AllowsWhatStaysNearEnough)
 TEST(DistanceGuard, AllowsWhatIsAsFarAsBefore)
 {
 	GuardedMesh g = square();
-	g.points.add(2, {0.9f, 0.5f, -0.3f});
+	g.vertex[2].points.push_back({0.9f, 0.5f, -0.3f});
 	EXPECT_TRUE(mayRaise(g, 0));
 	EXPECT_TRUE(mayRaise(g, -0.25f)) << "vertex 0 goes no farther than that point is off";
 	EXPECT_FALSE(mayRaise(g, 0.25f));
@@ -67,8 +67,8 @@ TEST(DistanceGuard, AllowsWhatIsAsFarAsBefore)
 TEST(DistanceGuard, LooksAtPointsOfFixedVerticesBesideOthers)
 {
 	GuardedMesh g = square();
-	g.points.clear(0);
-	g.points.add(2, {0.1f, 0.1f, 0});
+	g.vertex[0].points.clear();
+	g.vertex[2].points.push_back({0.1f, 0.1f, 0});
 	for (int v : {1, 2, 3})
 		g.vertex[std::size_t(v)].isFixed = true;
 	EXPECT_FALSE(mayRaise(g, 0.3f));
@@ -80,9 +80,9 @@ TEST(DistanceGuard, PointsGoToTheNearestOfTheChangedFaces)
 {
 	Workers     workers(1, nullptr);
 	GuardedMesh g = square();
-	for (int v = 0; v < 4; ++v)
-		g.points.clear(v);
-	g.points.add(1, {0.9f, 0.5f, 0}); // in face 0, on the side of vertex 1
+	for (GuardedVertex& v : g.vertex)
+		v.points.clear();
+	g.vertex[1].points.push_back({0.9f, 0.5f, 0}); // in face 0, on the side of vertex 1
 	DistanceGuard guard(g, enough, workers);
 	int           diagonal = 0;
 	while (g.mesh.opposite[diagonal] < 0)

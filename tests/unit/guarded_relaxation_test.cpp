@@ -116,7 +116,7 @@ TEST(GuardedFlip, LeavesPointsAsNear)
 	const std::array<Vec3d, 4> shallow = ridge(0.05);
 	EXPECT_TRUE(flips(quad(shallow), 1));
 	GuardedMesh g = quad(shallow);
-	g.points.add(2, {0, 0.33f, 0.08f});
+	g.vertex[2].points.push_back({0, 0.33f, 0.08f});
 	EXPECT_FALSE(flips(std::move(g), 1));
 }
 
@@ -210,7 +210,7 @@ TEST(GuardedSlide, StaysNearThePlanes)
 	hub.guarded.vertex[0].quadric = Quadric();
 	hub.guarded.vertex[0].quadric.addPlane({0, 0, 0}, {0, 0, 1}, 1);
 	hub.guarded.vertex[0].area = 1;
-	hub.guarded.points.clear(0);
+	hub.guarded.vertex[0].points.clear();
 	EXPECT_TRUE(hub.moves(1));
 	EXPECT_LE(std::abs(hub.at().z), 0.1f);
 	EXPECT_GT(std::abs(hub.at().z), 0.05f) << "the others are above";

@@ -13,7 +13,7 @@ namespace gpr {
 namespace {
 
 /// Most points to check per vertex.
-constexpr int mostOfVertex = 64;
+constexpr std::size_t mostOfVertex = 64;
 
 bool mayMoveThere(const GuardedMesh& g, int v)
 {
@@ -30,69 +30,66 @@ float squaredDistance(const Vec3f& p, const NamedTriangle& t)
 } // namespace
 
 DistanceGuard::DistanceGuard(const GuardedMesh& g, double enough, Workers& workers) :
-		m_(g.mesh), squaredEnough_(float(enough * enough)), first_(std::size_t(g.mesh.faceNum), -1)
+		m_(g.mesh), squaredEnough_(float(enough * enough)), pointsOf_(std::size_t(g.mesh.faceNum))
 {
-	std::vector<int> from; // per point
+	std::vector<Vec3f> point;
+	std::vector<int>   from; // per point: its vertex
 	for (int v = 0; v < m_.vertexNum; ++v) {
 		if (m_.outgoing[v] < 0 || !mayMoveThere(g, v)) continue;
-		const int step = 1 + g.points.numOf(v) / mostOfVertex;
-		int       num  = 0;
-		g.points.forEach(v, [&](const Vec3f& at) {
-			if (num++ % step != 0) return;
-			point_.push_back({at, -1, 0, -1});
+		const std::vector<Vec3f>& own = g.vertex[std::size_t(v)].points;
+		for (std::size_t i = 0; i < own.size(); i += 1 + own.size() / mostOfVertex) {
+			point.push_back(own[i]);
 			from.push_back(v);
-		});
+		}
 	}
-	workers.forEach(point_.size(), [&](int i) {
-		Point&             p       = point_[std::size_t(i)];
-		const SurfacePoint nearest = nearestByDescent(m_, from[std::size_t(i)], p.at);
-		p.face                     = nearest.face;
-		p.squared                  = squaredLength(p.at - nearest.position);
+	std::vector<SurfacePoint> nearest(point.size());
+	workers.forEach(point.size(), [&](int i) {
+		nearest[std::size_t(i)] = nearestByDescent(m_, from[std::size_t(i)], point[std::size_t(i)]);
 	});
-	for (std::size_t i = 0; i < point_.size(); ++i)
-		putInList(int(i));
+	for (std::size_t i = 0; i < point.size(); ++i) {
+		const float squared = squaredLength(point[i] - nearest[i].position);
+		pointsOf_[std::size_t(nearest[i].face)].push_back({point[i], squared});
+	}
 }
 
 bool DistanceGuard::allows(const std::vector<NamedTriangle>& made,
 						   const std::vector<int>&           gone) const
 {
 	float most = squaredEnough_;
-	forEachPointOf(gone, [&](const Point& p) { most = std::max(most, p.squared); });
-	bool areNear = true;
-	forEachPointOf(gone, [&](const Point& p) {
-		areNear = areNear && std::any_of(made.begin(), made.end(), [&](const NamedTriangle& t) {
-					  return squaredDistance(p.at, t) <= most;
-				  });
+	for (int f : gone) {
+		for (const Point& p : pointsOf_[std::size_t(f)])
+			most = std::max(most, p.squared);
+	}
+	const auto isNear = [&](const Point& p) {
+		return std::any_of(made.begin(), made.end(), [&](const NamedTriangle& t) {
+			return squaredDistance(p.at, t) <= most;
+		});
+	};
+	return std::all_of(gone.begin(), gone.end(), [&](int f) {
+		const std::vector<Point>& points = pointsOf_[std::size_t(f)];
+		return std::all_of(points.begin(), points.end(), isNear);
 	});
-	return areNear;
 }
 
 void DistanceGuard::follow(const std::vector<int>& changed)
 {
-	std::vector<int> points;
+	std::vector<Point> points;
 	for (int f : changed) {
-		for (int i = first_[std::size_t(f)]; i >= 0; i = point_[std::size_t(i)].next)
-			points.push_back(i);
-		first_[std::size_t(f)] = -1;
+		std::vector<Point>& own = pointsOf_[std::size_t(f)];
+		points.insert(points.end(), own.begin(), own.end());
+		own.clear();
 	}
-	for (int i : points) {
-		Point& p  = point_[std::size_t(i)];
-		p.squared = HUGE_VALF;
+	for (Point& p : points) {
+		int nearest = changed.front();
+		p.squared   = HUGE_VALF;
 		for (int f : changed) {
 			const float squared = squaredDistance(p.at, triangleOf(m_, f));
 			if (squared >= p.squared) continue;
 			p.squared = squared;
-			p.face    = f;
+			nearest   = f;
 		}
-		putInList(i);
+		pointsOf_[std::size_t(nearest)].push_back(p);
 	}
-}
-
-void DistanceGuard::putInList(int i)
-{
-	Point& p                    = point_[std::size_t(i)];
-	p.next                      = first_[std::size_t(p.face)];
-	first_[std::size_t(p.face)] = i;
 }
 
 } // namespace gpr

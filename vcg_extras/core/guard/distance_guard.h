@@ -14,8 +14,8 @@ namespace gpr {
 
 /// Predicts whether a change of a mesh would move it away from the points assigned to its vertices.
 /// Quadrics do not show this: quadrics are weighted by area, and the rim of a thin sheet has next
-/// to no area. Each point belongs to the nearest face of the mesh, found from the point's vertex. 4
-/// B per face and 24 B per point.
+/// to no area. Each point belongs to the nearest face of the mesh, found from the point's vertex.
+/// 24 B per face and 16 B per point.
 class DistanceGuard {
 public:
 	/// enough: distance up to which points may get farther off. Checks only points of vertices that
@@ -32,29 +32,15 @@ public:
 	void follow(const std::vector<int>& changed);
 
 private:
-	/// A point of the surface, and its face.
+	/// A point of the surface.
 	struct Point {
 		Vec3f at;
-		int   face;
-		float squared; ///< distance from the face
-		int   next;    ///< next point of the face, or -1
+		float squared; ///< distance from its face
 	};
 
-	const HalfEdgeMesh& m_;
-	float               squaredEnough_;
-	std::vector<Point>  point_;
-	std::vector<int>    first_; ///< per face
-
-	void putInList(int point);
-
-	template <class Visit>
-	void forEachPointOf(const std::vector<int>& faces, const Visit& visit) const
-	{
-		for (int f : faces) {
-			for (int i = first_[std::size_t(f)]; i >= 0; i = point_[std::size_t(i)].next)
-				visit(point_[std::size_t(i)]);
-		}
-	}
+	const HalfEdgeMesh&             m_;
+	float                           squaredEnough_;
+	std::vector<std::vector<Point>> pointsOf_; ///< per face
 };
 
 } // namespace gpr

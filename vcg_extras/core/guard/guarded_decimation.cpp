@@ -5,12 +5,14 @@
 #include "contact_guard.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -93,8 +95,8 @@ public:
 	Decimation(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers) :
 			settings_(settings), g_(guarded), m_(guarded.mesh), workers_(workers),
 			guard_(std::make_unique<ContactGuard>(m_, g_.hadContacts, workers)),
-			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum), hasFlat_(hasAnyFlat()),
-			stamp_(std::size_t(m_.vertexNum), 0)
+			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum),
+			hasFlat_(zeroAreaFaceNum(m_, workers) > 0), stamp_(std::size_t(m_.vertexNum), 0)
 	{
 	}
 
@@ -121,12 +123,13 @@ private:
 	HalfEdgeMesh&                 m_;
 	Workers&                      workers_;
 	std::unique_ptr<ContactGuard> guard_;
-	std::int64_t          livingNum_, guardedNum_; ///< vertices now, and when the guard was made
-	std::int64_t          firstNum_  = 0;
-	std::int64_t          borderNum_ = 0;     ///< vertices to remove from a kept border
-	bool                  isForced_  = false; ///< remove only these vertices, even with contacts
-	bool                  hasFlat_;           ///< the first mesh had degenerate faces
-	std::vector<unsigned> stamp_;             ///< per vertex: number of its changes
+	std::int64_t livingNum_, guardedNum_; ///< vertices now, and when the guard was made
+	std::int64_t firstNum_  = 0;
+	std::int64_t borderNum_ = 0;     ///< vertices to remove from a kept border
+	bool         isForced_  = false; ///< remove only these vertices, even with contacts
+	/// The first mesh had degenerate faces. A result must not have such faces, so these go first.
+	bool                           hasFlat_;
+	std::vector<unsigned>          stamp_; ///< per vertex: number of its changes
 	std::priority_queue<Candidate> queue_;
 	Bounds                         bounds_{};
 	EditScratch                    scratch_;
@@ -217,15 +220,6 @@ private:
 	// ---- how an edge is collapsed
 
 	bool isFixed(int v) const { return g_.isFixed(v); }
-
-	/// A result must not have degenerate faces, so degenerate faces of the input go first.
-	bool hasAnyFlat() const
-	{
-		for (int f = 0; f < m_.faceNum; ++f) {
-			if (!isDeadFace(m_, f) && hasZeroArea(m_.faceCross(f))) return true;
-		}
-		return false;
-	}
 
 	bool isBesideFlat(int v, int w) const
 	{
@@ -407,12 +401,13 @@ private:
 
 	void takeOver(const Merge& merge, const Vec3f& place)
 	{
-		const GuardedVertex& from = g_.vertex[std::size_t(merge.from)];
-		GuardedVertex&       to   = g_.vertex[std::size_t(merge.to)];
+		GuardedVertex& from = g_.vertex[std::size_t(merge.from)];
+		GuardedVertex& to   = g_.vertex[std::size_t(merge.to)];
 		to.quadric += from.quadric;
 		to.normal += from.normal;
 		to.area += from.area;
-		g_.points.merge(merge.from, merge.to);
+		to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+		from.points = std::vector<Vec3f>(); // frees its memory
 		if (squaredLength(place - from.anchorPlace) < squaredLength(place - to.anchorPlace)) {
 			to.anchor      = from.anchor;
 			to.anchorPlace = from.anchorPlace;
@@ -432,9 +427,8 @@ private:
 	}
 };
 
-/// nameOf(v): number of vertex v in g, or -1 to skip v.
-template <class NameOf>
-void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
+/// name: per vertex of m, its vertex in g or -1.
+void addFace(const HalfEdgeMesh& m, int f, const std::vector<int>& name, GuardedMesh& g)
 {
 	const Vec3d  o(m.position[m.origin[3 * f]]);
 	const Vec3d  n       = cross(Vec3d(m.position[m.origin[3 * f + 1]]) - o,
@@ -442,9 +436,9 @@ void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
 	const double doubled = length(n);
 	if (!(doubled > 0)) return;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const int name = nameOf(m.origin[h]);
-		if (name < 0) continue;
-		GuardedVertex& v = g.vertex[std::size_t(name)];
+		const int own = name[std::size_t(m.origin[h])];
+		if (own < 0) continue;
+		GuardedVertex& v = g.vertex[std::size_t(own)];
 		v.quadric.addPlane(o, n * (1 / doubled), doubled / 6);
 		v.normal += Vec3f(n * (1.0 / 6));
 		v.area += float(doubled / 6);
@@ -452,72 +446,32 @@ void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
 }
 
 /// Adds a plane through the border edge, perpendicular to the face: it holds the border in place.
-template <class NameOf>
-void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& g)
+void addBorder(const HalfEdgeMesh& m, int h, const std::vector<int>& name, GuardedMesh& g)
 {
 	const int   a = m.origin[h], b     = m.target(h);
 	const Vec3d o(m.position[a]), edge = Vec3d(m.position[b]) - o;
 	const Vec3d across = cross(edge, Vec3d(m.faceCross(h / 3)));
 	const Vec3d normal = normalized(across);
-	for (int v : {nameOf(a), nameOf(b)}) {
+	for (int v : {name[std::size_t(a)], name[std::size_t(b)]}) {
 		if (v >= 0) g.vertex[std::size_t(v)].quadric.addPlane(o, normal, squaredLength(edge));
 	}
 }
 
 } // namespace
 
-void AssignedPoints::add(int v, const Vec3f& place)
-{
-	const int i = int(place_.size());
-	place_.push_back(place);
-	next_.push_back(-1);
-	List& list = list_[std::size_t(v)];
-	if (list.num == 0)
-		list.first = i;
-	else
-		next_[std::size_t(list.last)] = i;
-	list.last = i;
-	++list.num;
-}
-
-void AssignedPoints::merge(int from, int to)
-{
-	List& a = list_[std::size_t(to)];
-	List& b = list_[std::size_t(from)];
-	if (b.num == 0) return;
-	if (a.num == 0)
-		a.first = b.first;
-	else
-		next_[std::size_t(a.last)] = b.first;
-	a.last = b.last;
-	a.num += b.num;
-	b = {};
-}
-
-void AssignedPoints::rename(const Buffer<int>& newIndex, int vertexNum)
-{
-	for (std::size_t v = 0; v < newIndex.size(); ++v) {
-		if (newIndex[v] >= 0) list_[std::size_t(newIndex[v])] = list_[v];
-	}
-	list_.resize(std::size_t(vertexNum));
-}
-
 GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
-		mesh(std::move(from)), vertex(std::size_t(mesh.vertexNum)), points(mesh.vertexNum),
-		anchorNum(vertex.size()), hadContacts(hasContacts)
+		mesh(std::move(from)), vertex(std::size_t(mesh.vertexNum)), hadContacts(hasContacts)
 {
-	mesh.crease       = Buffer<char>();
-	const auto itself = [](int v) { return v; };
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		addFace(mesh, f, itself, *this);
-		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			if (mesh.isBorderEdge(h)) addBorder(mesh, h, itself, *this);
-		}
-	}
+	std::vector<int> itself(vertex.size());
+	std::iota(itself.begin(), itself.end(), 0);
+	mesh.crease.reset(std::size_t(mesh.halfEdgeNum()));
+	for (int h = 0; h < mesh.halfEdgeNum(); ++h)
+		mesh.crease[h] = char(mesh.isBorderEdge(h));
+	assign(mesh, itself);
+	mesh.crease.release();
 	for (int v = 0; v < mesh.vertexNum; ++v) {
 		vertex[std::size_t(v)].anchor      = v;
 		vertex[std::size_t(v)].anchorPlace = mesh.position[v];
-		points.add(v, mesh.position[v]);
 	}
 }
 
@@ -529,16 +483,15 @@ void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name
 		to.quadric        = Quadric();
 		to.normal         = Vec3f();
 		to.area           = 0;
-		points.clear(v);
+		to.points.clear();
 	}
 	for (std::size_t v = 0; v < name.size(); ++v) {
-		if (name[v] >= 0) points.add(name[v], other.position[v]);
+		if (name[v] >= 0) vertex[std::size_t(name[v])].points.push_back(other.position[v]);
 	}
-	const auto nameOf = [&](int v) { return name[std::size_t(v)]; };
 	for (int f = 0; f < other.faceNum; ++f) {
-		addFace(other, f, nameOf, *this);
+		addFace(other, f, name, *this);
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			if (other.isBorderEdge(h) && other.isCreaseEdge(h)) addBorder(other, h, nameOf, *this);
+			if (other.isBorderEdge(h) && other.isCreaseEdge(h)) addBorder(other, h, name, *this);
 		}
 	}
 }
@@ -560,11 +513,12 @@ void GuardedMesh::compact(Workers& workers)
 {
 	Buffer<int> newIndex;
 	gpr::compact(mesh, workers, newIndex);
-	for (std::size_t v = 0; v < newIndex.size(); ++v) {
-		if (newIndex[v] >= 0) vertex[std::size_t(newIndex[v])] = vertex[v];
+	std::vector<GuardedVertex> living;
+	living.reserve(std::size_t(mesh.vertexNum));
+	for (std::size_t v = 0; v < vertex.size(); ++v) {
+		if (newIndex[v] >= 0) living.push_back(std::move(vertex[v]));
 	}
-	points.rename(newIndex, mesh.vertexNum);
-	vertex.resize(std::size_t(mesh.vertexNum));
+	vertex = std::move(living);
 }
 
 bool decimateGuarded(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)

@@ -14,36 +14,6 @@
 
 namespace gpr {
 
-/// Points of a surface, assigned to the vertices of a mesh: a list per vertex.
-class AssignedPoints {
-public:
-	explicit AssignedPoints(int vertexNum) : list_(std::size_t(vertexNum)) {}
-
-	void clear(int v) { list_[std::size_t(v)] = {}; }
-	void add(int v, const Vec3f& place);
-	/// Assigns the points of `from` to `to` as well.
-	void merge(int from, int to);
-	/// Follows a renaming of vertices; -1: the vertex is gone.
-	void rename(const Buffer<int>& newIndex, int vertexNum);
-
-	int numOf(int v) const { return list_[std::size_t(v)].num; }
-
-	template <class Visit>
-	void forEach(int v, const Visit& visit) const
-	{
-		for (int i = list_[std::size_t(v)].first; i >= 0; i = next_[std::size_t(i)])
-			visit(place_[std::size_t(i)]);
-	}
-
-private:
-	struct List {
-		int first = -1, last = -1, num = 0;
-	};
-	std::vector<List>  list_; ///< per vertex
-	std::vector<Vec3f> place_;
-	std::vector<int>   next_; ///< per point
-};
-
 /// A vertex under decimation, with the part of the first mesh assigned to the vertex.
 struct GuardedVertex {
 	Quadric quadric;     ///< of the assigned planes
@@ -51,15 +21,14 @@ struct GuardedVertex {
 	float   area   = 0;  ///< of the assigned surface
 	int     anchor = -1; ///< vertex of the first mesh merged into the vertex, near its place
 	Vec3f   anchorPlace;
-	bool    isFixed = false; ///< must not move
+	std::vector<Vec3f> points;          ///< assigned vertices of the first mesh
+	bool               isFixed = false; ///< must not move
 };
 
 /// A mesh under decimation.
 struct GuardedMesh {
 	HalfEdgeMesh               mesh; ///< without feature lines: the quadrics keep creases
 	std::vector<GuardedVertex> vertex;
-	AssignedPoints             points;              ///< assigned vertices of the first mesh
-	std::size_t                anchorNum   = 0;     ///< vertices of the first mesh
 	bool                       hadContacts = false; ///< the first mesh had contacts
 
 	bool isFixed(int v) const { return vertex[std::size_t(v)].isFixed; }

@@ -130,7 +130,10 @@ private:
 		gone_.clear();
 		forEachOutgoing(m_, v, [&](int h) { gone_.push_back(h / 3); });
 		const Vec3d from(m_.position[v]), to = m_.keptOnMirror(v, goalOf(v));
-		const float before = energy(gone_);
+		made_.clear();
+		for (int f : gone_)
+			made_.push_back(triangleOf(m_, f));
+		const float before = energyOfMade();
 		double      share  = 1;
 		for (int i = 0; i <= halvingNum; ++i, share /= 2) {
 			const Vec3f place(from + (to - from) * share);
@@ -170,14 +173,6 @@ private:
 
 	/// The conformal energy of a triangle: least for equilateral triangles.
 	static float energyOf(const NamedTriangle& t) { return 1 / (t.shape() + 1e-6f); }
-
-	float energy(const std::vector<int>& faces) const
-	{
-		float sum = 0;
-		for (int f : faces)
-			sum += energyOf(triangleOf(m_, f));
-		return sum;
-	}
 
 	float energyOfMade() const
 	{
