@@ -85,14 +85,14 @@ private:
 	template <class May>
 	int giveAway(const std::vector<char>& isGiven, const May& may)
 	{
-		int              changes = 0;
 		std::vector<int> front;
 		for (int v = 0; v < m_.vertexNum; ++v) {
 			const int piece = pieceOf_[std::size_t(v)];
 			if (piece >= 0 && isGiven[std::size_t(piece)]) front.push_back(v);
 		}
-		for (bool isChanged = true; isChanged && !front.empty();) {
-			isChanged = false;
+		const std::size_t givenNum = front.size();
+		for (std::size_t before = givenNum + 1; front.size() < before;) {
+			before = front.size();
 			std::vector<int> left;
 			for (int v : front) {
 				const int label = labelBeside(v, may);
@@ -102,12 +102,10 @@ private:
 				}
 				label_[std::size_t(v)]   = label;
 				pieceOf_[std::size_t(v)] = -1;
-				isChanged                = true;
-				++changes;
 			}
 			front = std::move(left);
 		}
-		return changes;
+		return int(givenNum - front.size());
 	}
 
 	template <class May>
@@ -132,13 +130,11 @@ private:
 			if (piece_[std::size_t(at->second)].size < piece_[i].size) at->second = int(i);
 		}
 		std::vector<char> isGiven(piece_.size(), 0);
-		bool              isAny = false;
 		for (std::size_t i = 0; i < piece_.size(); ++i) {
 			if (isInside(piece_[i].first)) continue;
 			isGiven[i] = largest[labelOf(piece_[i].first)] != int(i);
-			isAny      = isAny || isGiven[i];
 		}
-		return isAny ? giveAway(isGiven, [](int) { return true; }) : 0;
+		return giveAway(isGiven, [](int) { return true; });
 	}
 
 	/// Gives away inner pieces that meet at most two cells, nothing beyond the border, and are
@@ -148,13 +144,10 @@ private:
 		const std::vector<std::vector<int>> met   = cellsMet();
 		const std::vector<int>              euler = eulerOfPieces();
 		std::vector<char>                   isGiven(piece_.size(), 0);
-		bool                                isAny = false;
-		for (std::size_t i = 0; i < piece_.size(); ++i) {
+		for (std::size_t i = 0; i < piece_.size(); ++i)
 			isGiven[i] =
 				isInside(piece_[i].first) && !met[i].empty() && met[i].size() <= 2 && euler[i] == 1;
-			isAny = isAny || isGiven[i];
-		}
-		return isAny ? giveAway(isGiven, [this](int w) { return isBorder(w); }) : 0;
+		return giveAway(isGiven, [this](int w) { return isBorder(w); });
 	}
 
 	/// Per inner piece: the labels round the piece, three at most.
@@ -236,18 +229,11 @@ private:
 	{
 		ring_.clear();
 		forEachNeighbour(m_, v, [&](int w) { ring_.push_back(isBorder(w) ? labelOf(w) : -1); });
-		const std::size_t num   = ring_.size();
-		const bool        isFan = m_.isBorderVertex(v);
-		for (std::size_t i = 0; i < num; ++i) {
-			const int label = ring_[i];
-			if (label < 0) continue;
-			int runs = 0;
-			for (std::size_t k = 0; k < num; ++k) {
-				const bool isFirst =
-					k == 0 ? isFan || ring_[num - 1] != label : ring_[k - 1] != label;
-				runs += ring_[k] == label && isFirst;
-			}
-			if (runs > 1) return label;
+		ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
+		const bool isFan = m_.isBorderVertex(v);
+		if (!isFan && ring_.size() > 1 && ring_.front() == ring_.back()) ring_.pop_back();
+		for (int label : ring_) {
+			if (label >= 0 && std::count(ring_.begin(), ring_.end(), label) > 1) return label;
 		}
 		return -1;
 	}
