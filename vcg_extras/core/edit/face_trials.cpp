@@ -336,15 +336,7 @@ bool FaceTrials::make(const Operation& op)
 	const std::vector<int> patch     = editor_.patchOf(op);
 	const int              vertexNum = m_.vertexNum;
 	if (!editor_.make(op)) return false;
-	if (!goal_.settles) return true;
-	std::vector<int> left;
-	for (int v : patch) {
-		if (m_.outgoing[v] >= 0) left.push_back(v);
-	}
-	for (int v = vertexNum; v < m_.vertexNum; ++v) {
-		if (m_.outgoing[v] >= 0) left.push_back(v);
-	}
-	settle(left);
+	if (goal_.settles) settle(editor_.patchNow(patch, vertexNum));
 	return true;
 }
 

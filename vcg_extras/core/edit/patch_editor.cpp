@@ -326,16 +326,16 @@ void PatchEditor::undo(const Snapshot& before)
 		put(before.backup.vertices()[i], before.states[i]);
 }
 
-std::vector<int> PatchEditor::patchNow(const Snapshot& before) const
+std::vector<int> PatchEditor::patchNow(const std::vector<int>& patch, int vertexNum) const
 {
-	std::vector<int> patch;
-	for (int v : before.backup.vertices()) {
-		if (m_.outgoing[v] >= 0) patch.push_back(v);
+	std::vector<int> left;
+	for (int v : patch) {
+		if (m_.outgoing[v] >= 0) left.push_back(v);
 	}
-	for (int v = before.vertexNum; v < m_.vertexNum; ++v) {
-		if (m_.outgoing[v] >= 0) patch.push_back(v);
+	for (int v = vertexNum; v < m_.vertexNum; ++v) {
+		if (m_.outgoing[v] >= 0) left.push_back(v);
 	}
-	return patch;
+	return left;
 }
 
 void PatchEditor::countDone(const Operation& op)

@@ -60,10 +60,9 @@ public:
 		int                      vertexNum = 0;
 	};
 
-	const Surface&        surface() const { return surface_; }
-	const BoundaryCurves& curves() const { return curves_; }
-	const ResultMesh&     result() const { return r_; }
-	const HalfEdgeMesh&   mesh() const { return m_; }
+	const Surface&      surface() const { return surface_; }
+	const ResultMesh&   result() const { return r_; }
+	const HalfEdgeMesh& mesh() const { return m_; }
 	/// Normal agreement of face f at its corners, and at its feature lines: 1 if f has none.
 	float agreement(int f) const;
 	float agreementAtCreases(int f) const;
@@ -99,8 +98,12 @@ public:
 	/// The state before a bare flip of h: far fewer faces if a corner has many.
 	Snapshot rememberFlip(int h) const;
 	void     undo(const Snapshot& before);
-	/// The vertices left of a patch, and the vertices added since.
-	std::vector<int> patchNow(const Snapshot& before) const;
+	/// The vertices left of a patch, and the vertices added since there were vertexNum vertices.
+	std::vector<int> patchNow(const std::vector<int>& patch, int vertexNum) const;
+	std::vector<int> patchNow(const Snapshot& before) const
+	{
+		return patchNow(before.backup.vertices(), before.vertexNum);
+	}
 
 	/// Counts a kept operation in the figures of the result.
 	void countDone(const Operation& op);
