@@ -65,21 +65,21 @@ struct Parameter {
 	const char*              option;   ///< on the command line: "--vertices"; "" without an option
 	const char*              argument; ///< placeholder in --help: "N"; "" for a bare switch
 	ParameterKind            kind;
-	const char*              label;       ///< in the dialog
-	const char*              help;        ///< full sentences with unit and range, for every host
-	const char*              dialogOnly;  ///< more help for MeshLab only, or ""
-	const char*              commandOnly; ///< more help for the command line only, or ""
-	const char*              pythonOnly;  ///< more help for Python only, or ""
-	double                   minimum;
-	double                   maximum;
-	std::vector<const char*> choices; ///< Choice only
-	ParameterValue (*defaultValue)(const MeshFacts&);
+	const char*              label; ///< in the dialog
+	const char*              help;  ///< full sentences with unit and range, for every host
+	const char*              dialogOnly              = ""; ///< more help for MeshLab only
+	const char*              commandOnly             = ""; ///< more help for the command line only
+	const char*              pythonOnly              = ""; ///< more help for Python only
+	double                   minimum                 = 0;
+	double                   maximum                 = 1;
+	std::vector<const char*> choices                 = {}; ///< Choice only
+	ParameterValue (*defaultValue)(const MeshFacts&) = nullptr;
 	/// Writes a value to the options; null in rows that belong to a single host.
-	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned    tools;       ///< the Tool bits that offer the parameter
-	bool        isExpert;    ///< any other group than everydayGroup: shown on demand only
-	bool        isAutomatic; ///< a Number that is Automatic by default
-	const char* group;       ///< the heading above the parameter in --help-all
+	void (*store)(const ParameterValue&, RemeshOptions&) = nullptr;
+	unsigned    tools       = 0;     ///< the Tool bits that offer the parameter
+	bool        isExpert    = false; ///< any other group than everydayGroup: shown on demand only
+	bool        isAutomatic = false; ///< a Number that is Automatic by default
+	const char* group       = everydayGroup; ///< the heading above the parameter in --help-all
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.

@@ -54,11 +54,7 @@ void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
 RemeshOptions ParameterSet::raw() const
 {
 	RemeshOptions o;
-	o.targetVertexNum = 0;
-	o.targetFaceNum   = 0;
-	o.targetPercent   = 0;
-	o.targetEdgeLen   = 0;
-	o.targetMaxError  = 0;
+	o.targetPercent = 0;
 	for (const auto& [key, row] : given_)
 		row.parameter->store(row.value, o);
 	return o;
