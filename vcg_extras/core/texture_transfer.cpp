@@ -30,7 +30,7 @@ Box<double> boxOf(const MeshView& mesh)
 {
 	Box<double> box;
 	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c) {
-		const Vec3d p = mesh.position(std::size_t(mesh.vertexOf(c)));
+		const Vec3d p = mesh.position(mesh.vertexOf(c));
 		if (isFinite(p)) box.add(p);
 	}
 	return box;
@@ -57,37 +57,34 @@ std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 BarycentricPoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner,
 							  double& squaredMiss)
 {
-	const auto along = [&](int i, int j, std::array<double, 3>& w) {
-		const Vec3d  d = corner[std::size_t(j)] - corner[std::size_t(i)];
-		const double l = squaredLength(d);
-		const double t = l > 0 ? std::clamp(dot(p - corner[std::size_t(i)], d) / l, 0.0, 1.0) : 0.0;
-		w              = {0, 0, 0};
-		w[std::size_t(i)] = 1 - t;
-		w[std::size_t(j)] = t;
-	};
-	const auto miss = [&](const std::array<double, 3>& w) {
-		return squaredLength(corner[0] * w[0] + corner[1] * w[1] + corner[2] * w[2] - p);
-	};
-	const Vec3d           n    = cross(corner[1] - corner[0], corner[2] - corner[0]);
-	const double          area = squaredLength(n);
 	std::array<double, 3> best{1, 0, 0};
-	squaredMiss = HUGE_VAL;
-	if (area > 0) {
-		const double w1 = dot(cross(p - corner[0], corner[2] - corner[0]), n) / area;
-		const double w2 = dot(cross(corner[1] - corner[0], p - corner[0]), n) / area;
-		best            = {1 - w1 - w2, w1, w2};
-		if (best[0] >= 0 && w1 >= 0 && w2 >= 0) squaredMiss = miss(best);
+	squaredMiss           = HUGE_VAL;
+	const auto tryWeights = [&](const std::array<double, 3>& w) {
+		const Vec3d  point = corner[0] * w[0] + corner[1] * w[1] + corner[2] * w[2];
+		const double miss  = squaredLength(point - p);
+		if (!(miss < squaredMiss)) return;
+		best        = w;
+		squaredMiss = miss;
+	};
+	const Vec3d  n    = cross(corner[1] - corner[0], corner[2] - corner[0]);
+	const double area = squaredLength(n);
+	const double w1   = dot(cross(p - corner[0], corner[2] - corner[0]), n) / area;
+	const double w2   = dot(cross(corner[1] - corner[0], p - corner[0]), n) / area;
+	if (area > 0 && 1 - w1 - w2 >= 0 && w1 >= 0 && w2 >= 0) {
+		tryWeights({1 - w1 - w2, w1, w2});
 	}
-	for (int k = 0; squaredMiss == HUGE_VAL && k < 3; ++k) {
-		std::array<double, 3> w;
-		along(k, (k + 1) % 3, w);
-		if (k == 0 || miss(w) < miss(best)) best = w;
-		if (k == 2) squaredMiss = miss(best);
+	else {
+		for (int i = 0; i < 3; ++i) {
+			const int             j = (i + 1) % 3;
+			const Vec3d           d = corner[j] - corner[i];
+			const double          l = squaredLength(d);
+			std::array<double, 3> w{};
+			w[j] = l > 0 ? std::clamp(dot(p - corner[i], d) / l, 0.0, 1.0) : 0.0;
+			w[i] = 1 - w[j];
+			tryWeights(w);
+		}
 	}
-	BarycentricPoint at;
-	for (std::size_t k = 0; k < 3; ++k)
-		at.weight[k] = float(best[k]);
-	return at;
+	return {-1, {float(best[0]), float(best[1]), float(best[2])}};
 }
 
 } // namespace
@@ -107,10 +104,9 @@ void TextureSource::connect()
 {
 	std::vector<EdgeSide> sides;
 	sides.reserve(3 * mesh_.faceNum);
-	for (std::size_t c = 0; c < 3 * mesh_.faceNum; ++c) {
-		const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
-		const std::int32_t a = placeOf(std::int64_t(c)), b = placeOf(std::int64_t(next));
-		if (a != b) sides.push_back(edgeSide(a, b, int(c)));
+	for (int c = 0; c < int(3 * mesh_.faceNum); ++c) {
+		const EdgeSide side = edgeSide(placeOf(c), placeOf(nextInFace(c)), c);
+		if (side.low != side.high) sides.push_back(side);
 	}
 	std::sort(sides.begin(), sides.end());
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
@@ -120,35 +116,31 @@ void TextureSource::connect()
 }
 
 /// Links two corners, the edges of which (to the next corner) are the two sides of an edge.
-void TextureSource::link(std::int64_t a, std::int64_t b)
+void TextureSource::link(int a, int b)
 {
 	if (agree(a, b)) {
-		beyond_[std::size_t(a)] = std::int32_t(b / 3);
-		beyond_[std::size_t(b)] = std::int32_t(a / 3);
+		beyond_[a] = b / 3;
+		beyond_[b] = a / 3;
 		return;
 	}
-	seam_[std::size_t(a)] = seam_[std::size_t(b)] = 1;
+	seam_[a] = seam_[b] = 1;
 	++seamNum_;
 }
 
 /// Whether the texture is continuous across the edge with sides a and b.
-bool TextureSource::agree(std::int64_t a, std::int64_t b) const
+bool TextureSource::agree(int a, int b) const
 {
-	const auto next = [](std::int64_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
-	if (!texture_.image.empty() &&
-		texture_.image[std::size_t(a / 3)] != texture_.image[std::size_t(b / 3)])
-		return false;
+	if (!texture_.image.empty() && texture_.image[a / 3] != texture_.image[b / 3]) return false;
 	// Consistently oriented faces have the edge in opposite directions.
-	const bool opposite    = placeOf(a) == placeOf(next(b));
-	const auto isSameThere = [&](std::int64_t x, std::int64_t y) {
-		for (std::int64_t k = 0; k < 2; ++k) {
-			const float d =
-				texture_.uv[std::size_t(2 * x + k)] - texture_.uv[std::size_t(2 * y + k)];
-			if (!(std::abs(d) <= sameCoordinate)) return false;
-		}
-		return true;
+	const bool isOpposite  = placeOf(a) == placeOf(nextInFace(b));
+	const auto isSameThere = [&](int x, int y) {
+		const float *atX = &texture_.uv[2 * std::size_t(x)],
+					*atY = &texture_.uv[2 * std::size_t(y)];
+		return std::abs(atX[0] - atY[0]) <= sameCoordinate &&
+			   std::abs(atX[1] - atY[1]) <= sameCoordinate;
 	};
-	return isSameThere(a, opposite ? next(b) : b) && isSameThere(next(a), opposite ? b : next(b));
+	return isSameThere(a, isOpposite ? nextInFace(b) : b) &&
+		   isSameThere(nextInFace(a), isOpposite ? b : nextInFace(b));
 }
 
 /// Carries the texture to the faces of a result, face by face.
@@ -160,16 +152,15 @@ public:
 	}
 
 	/// Writes u and v of the three corners of face f.
-	void carry(std::size_t f, float* uv)
+	void carry(int f, float* uv)
 	{
-		const std::int32_t* corner = &result_.mesh.triangles[3 * f];
-		lookRound(std::int32_t(f), corner);
+		const std::int32_t* corner = &result_.mesh.triangles[3 * std::size_t(f)];
+		lookRound(f, corner);
 		for (int k = 0; k < 3; ++k) {
-			BarycentricPoint at = result_.surfacePoints[std::size_t(corner[k])];
-			if (!isLookedAt(at.face, f))
-				at = nearestOnThisSide(result_.mesh.positions[std::size_t(corner[k])]);
-			for (std::size_t i = 0; i < 2; ++i)
-				uv[2 * std::size_t(k) + i] = coordinateAt(at, i);
+			BarycentricPoint at = result_.surfacePoints[corner[k]];
+			if (!isLookedAt(at.face, f)) at = nearestOnThisSide(result_.mesh.positions[corner[k]]);
+			uv[2 * k]     = coordinateAt(at, 0);
+			uv[2 * k + 1] = coordinateAt(at, 1);
 		}
 	}
 
@@ -179,43 +170,38 @@ private:
 	std::vector<std::int32_t> lookedAtFor_; ///< per input face: the last result face that came
 	std::vector<std::int32_t> found_;       ///< the faces of the input on this side, nearest first
 
-	bool isLookedAt(std::int32_t face, std::size_t f) const
-	{
-		return lookedAtFor_[std::size_t(face)] == std::int32_t(f);
-	}
+	bool isLookedAt(std::int32_t face, int f) const { return lookedAtFor_[face] == f; }
 
 	std::array<Vec3d, 3> cornersOf(std::int32_t face) const
 	{
-		const auto t = source_.mesh_.triangle(std::size_t(face));
-		return {source_.mesh_.position(std::size_t(t[0])),
-				source_.mesh_.position(std::size_t(t[1])),
-				source_.mesh_.position(std::size_t(t[2]))};
+		const MeshView& mesh = source_.mesh_;
+		const auto      t    = mesh.triangle(face);
+		return {mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])};
 	}
 
-	float coordinateAt(const BarycentricPoint& at, std::size_t i) const
+	float coordinateAt(const BarycentricPoint& at, int i) const
 	{
 		const float* uv = &source_.texture_.uv[6 * std::size_t(at.face)];
-		return float(meanOfCorners(at, [&](int k) { return uv[2 * std::size_t(k) + i]; }));
+		return float(meanOfCorners(at, [&](int k) { return uv[2 * k + i]; }));
 	}
 
 	/// Finds the faces of the input that are linked to the middle of a face of the result within
 	/// the reach and without a seam between; ends early if the faces of all corners are found.
-	void lookRound(std::int32_t f, const std::int32_t* corner)
+	void lookRound(int f, const std::int32_t* corner)
 	{
-		const Vec3d a       = result_.mesh.positions[std::size_t(corner[0])],
-					b       = result_.mesh.positions[std::size_t(corner[1])],
-					c       = result_.mesh.positions[std::size_t(corner[2])];
-		const Vec3d  middle = (a + b + c) * (1 / 3.0);
-		const double far    = std::max(
-			   {squaredLength(a - middle), squaredLength(b - middle), squaredLength(c - middle)});
+		const std::vector<Vec3d>& place = result_.mesh.positions;
+		const Vec3d               a = place[corner[0]], b = place[corner[1]], c = place[corner[2]];
+		const Vec3d               middle = (a + b + c) * (1 / 3.0);
+		const double              far    = std::max(
+							{squaredLength(a - middle), squaredLength(b - middle), squaredLength(c - middle)});
 		const double farthest = reach * reach * far;
 		found_.clear();
-		add(result_.facePoints[std::size_t(f)].face, f);
+		add(result_.facePoints[f].face, f);
 		for (std::size_t i = 0; i < found_.size() && found_.size() < maxFacesLookedAt; ++i) {
 			if (reachesAll(f, corner)) return;
 			for (std::size_t k = 0; k < 3; ++k) {
 				const std::int32_t next = source_.beyond_[3 * std::size_t(found_[i]) + k];
-				if (next < 0 || isLookedAt(next, std::size_t(f))) continue;
+				if (next < 0 || isLookedAt(next, f)) continue;
 				double miss = 0;
 				nearestPoint(middle, cornersOf(next), miss);
 				if (miss <= farthest) add(next, f);
@@ -223,16 +209,16 @@ private:
 		}
 	}
 
-	void add(std::int32_t face, std::int32_t f)
+	void add(std::int32_t face, int f)
 	{
-		lookedAtFor_[std::size_t(face)] = f;
+		lookedAtFor_[face] = f;
 		found_.push_back(face);
 	}
 
-	bool reachesAll(std::int32_t f, const std::int32_t* corner) const
+	bool reachesAll(int f, const std::int32_t* corner) const
 	{
 		return std::all_of(corner, corner + 3, [&](std::int32_t v) {
-			return isLookedAt(result_.surfacePoints[std::size_t(v)].face, std::size_t(f));
+			return isLookedAt(result_.surfacePoints[v].face, f);
 		});
 	}
 
@@ -263,9 +249,9 @@ CornerTexture TextureSource::carriedTo(const RemeshResult& result) const
 		if (own >= 0)
 			std::copy_n(&texture_.uv[6 * std::size_t(own)], 6, &carried.uv[6 * f]);
 		else
-			carrier.carry(f, &carried.uv[6 * f]);
+			carrier.carry(int(f), &carried.uv[6 * f]);
 		if (!texture_.image.empty())
-			carried.image.push_back(texture_.image[std::size_t(result.facePoints[f].face)]);
+			carried.image.push_back(texture_.image[result.facePoints[f].face]);
 	}
 	return carried;
 }

@@ -44,13 +44,10 @@ private:
 	std::vector<std::int32_t> place_;  ///< per vertex, during connect(): see same_place.h
 	std::int64_t              seamNum_ = 0;
 
-	std::int32_t placeOf(std::int64_t corner) const
-	{
-		return place_[std::size_t(mesh_.vertexOf(std::size_t(corner)))];
-	}
-	void connect();
-	void link(std::int64_t a, std::int64_t b);
-	bool agree(std::int64_t a, std::int64_t b) const;
+	std::int32_t placeOf(int corner) const { return place_[mesh_.vertexOf(corner)]; }
+	void         connect();
+	void         link(int a, int b);
+	bool         agree(int a, int b) const;
 };
 
 } // namespace gpr
