@@ -15,19 +15,19 @@ namespace gpr {
 
 namespace {
 
-struct Findings {
-	std::int64_t badEdges = 0, badVertices = 0, corners = 0;
-	std::int64_t zeroArea = 0, flipped = 0, notFinite = 0, duplicates = 0;
+/// The counts of a part of a mesh.
+struct Findings : AuditFigures {
+	std::int64_t corners = 0; ///< of the faces round the vertices
 
 	Findings& operator+=(const Findings& o)
 	{
-		badEdges += o.badEdges;
-		badVertices += o.badVertices;
+		nonManifoldEdges += o.nonManifoldEdges;
+		nonManifoldVertices += o.nonManifoldVertices;
+		duplicateFaces += o.duplicateFaces;
+		zeroAreaFaces += o.zeroAreaFaces;
+		invertedFaces += o.invertedFaces;
+		nonFinitePositions += o.nonFinitePositions;
 		corners += o.corners;
-		zeroArea += o.zeroArea;
-		flipped += o.flipped;
-		notFinite += o.notFinite;
-		duplicates += o.duplicates;
 		return *this;
 	}
 };
@@ -91,13 +91,13 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 	int badNum = 0;
 	for (int h = 3 * f; h < 3 * f + 3; ++h)
 		badNum += !isSoundHalfEdge(m, h);
-	found.badEdges += badNum;
+	found.nonManifoldEdges += badNum;
 	if (badNum > 0) return; // its corners may be no vertices
-	found.duplicates += isDuplicate(m, f);
+	found.duplicateFaces += isDuplicate(m, f);
 	if (hasZeroArea(m.faceCross(f)))
-		++found.zeroArea;
+		++found.zeroAreaFaces;
 	else
-		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
+		found.invertedFaces += normalAgreement(m, smoothNormal, f) < 0;
 }
 
 /// Counts inverted faces among faces with a normal against the mean normal of their corners. The
@@ -122,62 +122,9 @@ bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& work
 		   after.falseEdges(workers).empty() && !after.hasTwinFaces(workers);
 }
 
-} // namespace
-
-AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
-				   const MeshFigures& output, std::int64_t targetNum, Workers& workers)
+/// The failed checks but that of the count.
+std::string faultsOf(const AuditFigures& a)
 {
-	const HalfEdgeMesh& m       = r.mesh;
-	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
-	Findings            found   = workers.sumEach<Findings>(
-        m.faceNum, [&](int f, Findings& part) { checkFace(m, normals, f, part); });
-	// Wrong half-edges could lead the walks round vertices astray.
-	if (found.badEdges == 0) {
-		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-			Findings         part;
-			std::vector<int> ring;
-			for (int v = int(begin); v < int(end); ++v) {
-				part.badVertices += !isSoundVertex(m, v, ring, part.corners);
-				part.notFinite += !isFinite(m.position[v]);
-			}
-			return part;
-		});
-		// A corner out of reach of these walks belongs to a second fan.
-		if (found.corners != m.halfEdgeNum()) ++found.badVertices;
-	}
-	AuditFigures a;
-	a.nonManifoldEdges    = found.badEdges;
-	a.nonManifoldVertices = found.badVertices;
-	a.zeroAreaFaces       = found.zeroArea;
-	const bool isTableBad = found.badEdges > 0 || found.badVertices > 0;
-	a.duplicateFaces      = isTableBad ? countDuplicateFaces(m) : found.duplicates;
-	a.invertedFaces       = found.flipped > 0 && !isTableBad
-								? invertedAmongSuspects(surface, r, normals, workers)
-								: found.flipped;
-	a.nonFinitePositions  = found.notFinite;
-	a.componentsKept      = input.components == output.components;
-	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
-	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
-	a.countExact          = targetNum == r.vertexNum();
-	a.junctionsKept       = !m.meetsAtPlaces || areJunctionsKept(surface, r, workers);
-	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
-			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
-			   a.boundaryLoopsKept && a.eulerKept && a.junctionsKept &&
-			   (targetNum == 0 || a.countExact);
-	return a;
-}
-
-std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
-{
-	return workers.sumEach<std::int64_t>(mesh.faceNum(), [&](int f, std::int64_t& num) {
-		const Vec3d n = mesh.view().faceCross(std::size_t(f));
-		num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
-	});
-}
-
-std::string describeFailure(const AuditFigures& a)
-{
-	if (a.passed) return "";
 	std::string what;
 	const auto  add = [&](bool failed, const std::string& phrase) {
         if (failed) what += (what.empty() ? "" : ", ") + phrase;
@@ -191,6 +138,49 @@ std::string describeFailure(const AuditFigures& a)
 	add(!a.boundaryLoopsKept, "another number of border loops");
 	add(!a.eulerKept, "another Euler characteristic");
 	add(!a.junctionsKept, "other junctions");
+	return what;
+}
+
+} // namespace
+
+AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
+				   const MeshFigures& output, std::int64_t targetNum, Workers& workers)
+{
+	const HalfEdgeMesh& m       = r.mesh;
+	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
+	Findings            found   = workers.sumEach<Findings>(
+        m.faceNum, [&](int f, Findings& part) { checkFace(m, normals, f, part); });
+	// Wrong half-edges could lead the walks round vertices astray.
+	if (found.nonManifoldEdges == 0) {
+		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Findings         part;
+			std::vector<int> ring;
+			for (int v = int(begin); v < int(end); ++v) {
+				part.nonManifoldVertices += !isSoundVertex(m, v, ring, part.corners);
+				part.nonFinitePositions += !isFinite(m.position[v]);
+			}
+			return part;
+		});
+		// A corner out of reach of these walks belongs to a second fan.
+		if (found.corners != m.halfEdgeNum()) ++found.nonManifoldVertices;
+	}
+	if (found.nonManifoldEdges > 0 || found.nonManifoldVertices > 0)
+		found.duplicateFaces = countDuplicateFaces(m);
+	else if (found.invertedFaces > 0)
+		found.invertedFaces = invertedAmongSuspects(surface, r, normals, workers);
+	found.componentsKept    = input.components == output.components;
+	found.boundaryLoopsKept = input.boundaryLoops == output.boundaryLoops;
+	found.eulerKept         = input.eulerCharacteristic == output.eulerCharacteristic;
+	found.countExact        = targetNum == r.vertexNum();
+	found.junctionsKept     = !m.meetsAtPlaces || areJunctionsKept(surface, r, workers);
+	found.passed            = faultsOf(found).empty() && (targetNum == 0 || found.countExact);
+	return found;
+}
+
+std::string describeFailure(const AuditFigures& a)
+{
+	if (a.passed) return "";
+	std::string what = faultsOf(a);
 	if (what.empty()) what = "another number of vertices than promised";
 	return "The result was withheld because it has " + what + ".";
 }

@@ -23,10 +23,6 @@ namespace gpr {
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 
-/// The number of degenerate faces in the frame of the input, with its other rounding. Cost: a
-/// parallel pass.
-std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers);
-
 /// A sentence with the failed checks; empty if the audit passed.
 std::string describeFailure(const AuditFigures& figures);
 

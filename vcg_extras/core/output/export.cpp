@@ -32,13 +32,15 @@ void exportMesh(RunContext& run, const Surface& surface, const HalfEdgeMesh& m, 
 						[&](int v) { out.positions[v] = surface.frame.toCaller(m.position[v]); });
 }
 
-void exportSurfacePoints(RunContext& run, const Surface& surface, const ResultMesh& result,
-						 std::vector<BarycentricPoint>& surfacePoints)
+/// The points of the input at points of the surface; pointAt(i) is point i of the surface.
+template <class PointAt>
+std::vector<BarycentricPoint> pointsOfInput(RunContext& run, const Surface& surface,
+											std::size_t num, const PointAt& pointAt)
 {
-	surfacePoints.resize(result.vertex.size());
-	run.workers.forEach(result.vertex.size(), [&](int v) {
-		surfacePoints[v] = barycentricPoint(run.input, surface, result.vertex[v].point);
-	});
+	std::vector<BarycentricPoint> points(num);
+	run.workers.forEach(
+		num, [&](int i) { points[i] = barycentricPoint(run.input, surface, pointAt(i)); });
+	return points;
 }
 
 /// Gives kept vertices the exact coordinates of the input. unit: length of a working unit, mesh
@@ -60,14 +62,11 @@ void exportKept(const MeshView& input, const ResultMesh& result, double unit, Re
 	}
 }
 
-void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh& result,
-					  std::vector<BarycentricPoint>& surfacePoints)
+std::vector<BarycentricPoint> facePoints(RunContext& run, const Surface& surface,
+										 const ResultMesh& result)
 {
-	surfacePoints.resize(result.mesh.faceNum);
-	run.workers.forEach(result.mesh.faceNum, [&](int f) {
-		const SurfacePoint middle = pointOfFace(surface, result, f);
-		surfacePoints[f]          = barycentricPoint(run.input, surface, middle);
-	});
+	return pointsOfInput(run, surface, result.mesh.faceNum,
+						 [&](int f) { return pointOfFace(surface, result, f); });
 }
 
 /// Most parts of regions that a note names.
@@ -98,12 +97,10 @@ void exportRegions(RunContext& run, const Surface& surface, const ResultMesh& re
 				   RemeshResult& out)
 {
 	const RegionLabels labels = labelFaces(run.input, surface, result, run.workers);
-	out.facePoints.resize(labels.middle.size());
-	out.region.resize(labels.middle.size());
-	run.workers.forEach(labels.middle.size(), [&](int f) {
-		out.facePoints[f] = barycentricPoint(run.input, surface, labels.middle[f]);
-		out.region[f]     = run.input.region[out.facePoints[f].face];
-	});
+	out.facePoints =
+		pointsOfInput(run, surface, labels.middle.size(), [&](int f) { return labels.middle[f]; });
+	for (const BarycentricPoint& at : out.facePoints)
+		out.region.push_back(run.input.region[at.face]);
 	run.tell(lostNote(run.input, labels.lost));
 }
 
@@ -124,12 +121,11 @@ std::vector<char> turnedFaces(RunContext& run, const Surface& surface)
 void turnAsInput(RunContext& run, const Surface& surface, const ResultMesh& result,
 				 RemeshResult& out)
 {
-	std::vector<BarycentricPoint> own;
-	if (out.facePoints.empty()) exportFacePoints(run, surface, result, own);
-	const std::vector<BarycentricPoint>& at       = own.empty() ? out.facePoints : own;
-	const std::vector<char>              isTurned = turnedFaces(run, surface);
+	const std::vector<BarycentricPoint> at =
+		out.facePoints.empty() ? facePoints(run, surface, result) : out.facePoints;
+	const std::vector<char> isTurned = turnedFaces(run, surface);
 	for (std::size_t f = 0; f < at.size(); ++f) {
-		if (isTurned[std::size_t(at[f].face)])
+		if (isTurned[at[f].face])
 			std::swap(out.mesh.triangles[3 * f + 1], out.mesh.triangles[3 * f + 2]);
 	}
 }
@@ -148,20 +144,24 @@ void joinSheets(const std::vector<int>& first, RemeshResult& out)
 	};
 	for (std::size_t v = 0; v < first.size(); ++v) {
 		const bool isFirst = first[v] == int(v);
-		newIndex[v]        = isFirst ? std::int32_t(num++) : newIndex[std::size_t(first[v])];
+		newIndex[v]        = isFirst ? std::int32_t(num++) : newIndex[first[v]];
 		if (isFirst || (hasCallers && out.callersVertex[v] >= 0)) put(v, std::size_t(newIndex[v]));
 	}
 	out.mesh.positions.resize(num);
 	if (hasPoints) out.surfacePoints.resize(num);
 	if (hasCallers) out.callersVertex.resize(num);
 	for (std::int32_t& v : out.mesh.triangles)
-		v = newIndex[std::size_t(v)];
+		v = newIndex[v];
 }
 
-void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audited)
+/// Checks for degenerate faces in the frame of the input, with its other rounding.
+void requireAreas(RunContext& run, const MeshView& mesh, AuditFigures& audited)
 {
-	audited.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
-	audited.passed        = audited.zeroAreaFaces == 0;
+	audited.zeroAreaFaces =
+		run.workers.sumEach<std::int64_t>(mesh.faceNum, [&](int f, std::int64_t& num) {
+			num += mesh.faceCross(f) == Vec3d(); // squares could underflow
+		});
+	audited.passed = audited.zeroAreaFaces == 0;
 	if (!audited.passed) throw Failure(Status::PromiseBroken, describeFailure(audited));
 }
 
@@ -173,16 +173,17 @@ QualityFigures exportResult(RunContext& run, const Surface& surface, const Resul
 	run.clock.enter(Stage::Export);
 	exportMesh(run, surface, result.mesh, out.mesh);
 	if (run.options.surfacePointsOfVertices || hasKept)
-		exportSurfacePoints(run, surface, result, out.surfacePoints);
+		out.surfacePoints = pointsOfInput(run, surface, result.vertex.size(),
+										  [&](int v) { return result.vertex[v].point; });
 	if (hasKept) exportKept(run.input, result, 1 / surface.frame.scale, out);
 	if (run.input.region != nullptr)
 		exportRegions(run, surface, result, out);
 	else if (run.options.surfacePointsOfFaces)
-		exportFacePoints(run, surface, result, out.facePoints);
+		out.facePoints = facePoints(run, surface, result);
 	if (result.mesh.meetsAtPlaces && turnsFaces) turnAsInput(run, surface, result, out);
 	if (result.mesh.meetsAtPlaces)
 		joinSheets(Junctions(result.mesh, surface.meetings, run.workers).first(), out);
-	requireAreas(run, out.mesh, audited);
+	requireAreas(run, out.mesh.view(), audited);
 	return measureQuality(out.mesh.view(), run.workers);
 }
 

@@ -62,14 +62,14 @@ private:
 		m_.faceNum   = 2 * halfFaceNum();
 		reserve(m_, m_.vertexNum, m_.faceNum);
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			m_.position[v] = surface_.frame.toWorking(out_.positions[std::size_t(v)]);
+			m_.position[v] = surface_.frame.toWorking(out_.positions[v]);
 			m_.outgoing[v] = -1;
 		}
 		for (int f = 0; f < halfFaceNum(); ++f) {
 			for (int k = 0; k < 3; ++k) {
-				const int v          = half_.triangles[std::size_t(3 * f + k)];
-				m_.origin[3 * f + k] = v;
-				m_.origin[3 * (f + halfFaceNum()) + (3 - k) % 3] = imageOf_[std::size_t(v)];
+				const int v                                      = half_.triangles[3 * f + k];
+				m_.origin[3 * f + k]                             = v;
+				m_.origin[3 * (f + halfFaceNum()) + (3 - k) % 3] = imageOf_[v];
 			}
 		}
 	}
@@ -88,7 +88,7 @@ private:
 	void markLines()
 	{
 		m_.crease              = Buffer<char>(std::size_t(m_.halfEdgeNum()), 0);
-		const auto labelOfFace = [&](int f) { return region_[std::size_t(f % halfFaceNum())]; };
+		const auto labelOfFace = [&](int f) { return region_[f % halfFaceNum()]; };
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
 			if (m_.opposite[h] < 0) continue;
 			const int  f = h / 3, g = m_.opposite[h] / 3;
@@ -117,7 +117,7 @@ void placeOnSurface(const Surface& surface, const MirrorHalf& half, const Mirror
         Vec3d place;
         for (int k = 0; k < 3; ++k) {
             const auto v = half.triangles[3 * std::size_t(at.face) + std::size_t(k)];
-            place += half.positions[std::size_t(v)] * double(at.weight[k]);
+            place += half.positions[v] * double(at.weight[k]);
         }
         return place;
 	};
@@ -126,12 +126,12 @@ void placeOnSurface(const Surface& surface, const MirrorHalf& half, const Mirror
 		if (coordinate(made.mesh.positions[v], plane.heightAxis()) != 0) imageOf.push_back(v);
 	}
 	workers.forEach(halfNum, [&](int v) {
-		const BarycentricPoint& at   = made.surfacePoints[std::size_t(v)];
-		vertex[std::size_t(v)].point = {surface.frame.toWorking(plane.toCaller(workingOf(at))),
-										half.faceOf[std::size_t(at.face)]};
+		const BarycentricPoint& at = made.surfacePoints[v];
+		vertex[v].point            = {surface.frame.toWorking(plane.toCaller(workingOf(at))),
+									  half.faceOf[at.face]};
 	});
 	workers.forEach(imageOf.size(), [&](int i) {
-		const Vec3d place = plane.mirrored(workingOf(made.surfacePoints[imageOf[std::size_t(i)]]));
+		const Vec3d place = plane.mirrored(workingOf(made.surfacePoints[imageOf[i]]));
 		vertex[halfNum + std::size_t(i)].point =
 			nearest.nearest(surface.frame.toWorking(plane.toCaller(place)));
 	});

@@ -19,10 +19,8 @@ std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t
 {
 	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c)
-		(isInPart[c / 3] ? ofPart : ofRest)[std::size_t(input.vertexOf(c))] = 1;
-	const auto isOfBoth = [&](std::int32_t v) {
-		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
-	};
+		(isInPart[c / 3] ? ofPart : ofRest)[input.vertexOf(c)] = 1;
+	const auto            isOfBoth = [&](std::int32_t v) { return ofRest[v] && ofPart[v]; };
 	std::vector<EdgeSide> sides;
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
 		const EdgeSide side = edgeSide(input, c);
@@ -34,7 +32,7 @@ std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		bool hasSide[2] = {false, false}; // of the rest, of the part
 		for (std::size_t i = begin; i < end; ++i)
-			hasSide[isInPart[std::size_t(sides[i].halfEdge / 3)]] = true;
+			hasSide[isInPart[sides[i].halfEdge / 3]] = true;
 		if (hasSide[0] && hasSide[1]) seam.push_back({sides[begin].low, sides[begin].high});
 	});
 	return seam;
@@ -66,7 +64,7 @@ private:
 
 	std::int32_t addCallers(std::int32_t v, const BarycentricPoint& at)
 	{
-		std::int32_t& index = newIndex_[std::size_t(v)];
+		std::int32_t& index = newIndex_[v];
 		if (index >= 0) return index;
 		index = std::int32_t(out_.mesh.positions.size());
 		out_.mesh.positions.push_back(input_.position(std::size_t(v)));
@@ -82,7 +80,7 @@ private:
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
 			if (part_.isInPart[f]) continue;
 			for (std::size_t k = 0; k < 3; ++k) {
-				BarycentricPoint& p = at[std::size_t(input_.vertexOf(3 * f + k))];
+				BarycentricPoint& p = at[input_.vertexOf(3 * f + k)];
 				if (p.face < 0) p = BarycentricPoint::ofCorner(f, k);
 			}
 		}
@@ -98,7 +96,7 @@ private:
 	void addRestFace(std::size_t f)
 	{
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.vertexOf(c))]);
+			out_.mesh.triangles.push_back(newIndex_[input_.vertexOf(c)]);
 		out_.facePoints.push_back(BarycentricPoint::ofMiddle(f));
 		out_.callersFace.push_back(std::int32_t(f));
 		if (input_.region != nullptr) out_.region.push_back(input_.region[f]);
@@ -106,7 +104,7 @@ private:
 
 	BarycentricPoint ofCaller(BarycentricPoint at) const
 	{
-		at.face = part_.faceOf[std::size_t(at.face)];
+		at.face = part_.faceOf[at.face];
 		return at;
 	}
 
@@ -116,7 +114,7 @@ private:
 		for (std::size_t v = 0; v < index.size(); ++v)
 			index[v] = addMade(v);
 		for (std::int32_t v : made_.mesh.triangles)
-			out_.mesh.triangles.push_back(index[std::size_t(v)]);
+			out_.mesh.triangles.push_back(index[v]);
 		out_.callersFace.resize(out_.mesh.faceNum(), -1);
 		out_.region.insert(out_.region.end(), made_.region.begin(), made_.region.end());
 		for (const BarycentricPoint& at : made_.facePoints)
@@ -127,7 +125,7 @@ private:
 	{
 		const BarycentricPoint at = ofCaller(made_.surfacePoints[v]);
 		if (!made_.callersVertex.empty() && made_.callersVertex[v] >= 0)
-			return addCallers(part_.vertexOf[std::size_t(made_.callersVertex[v])], at);
+			return addCallers(part_.vertexOf[made_.callersVertex[v]], at);
 		out_.mesh.positions.push_back(made_.mesh.positions[v]);
 		out_.surfacePoints.push_back(at);
 		out_.callersVertex.push_back(-1);
@@ -141,8 +139,8 @@ private:
 		const std::int64_t first = 3 * std::int64_t(input_.faceNum - part_.faceOf.size());
 		const auto&        t     = out_.mesh.triangles;
 		for (std::size_t c = std::size_t(first); c < t.size(); ++c) {
-			const std::int32_t a = out_.callersVertex[std::size_t(t[c])];
-			const std::int32_t b = out_.callersVertex[std::size_t(t[c % 3 == 2 ? c - 2 : c + 1])];
+			const std::int32_t a = out_.callersVertex[t[c]];
+			const std::int32_t b = out_.callersVertex[t[c % 3 == 2 ? c - 2 : c + 1]];
 			if (a >= 0 && b >= 0) made.push_back(std::minmax(a, b));
 		}
 		std::sort(made.begin(), made.end());

@@ -52,7 +52,7 @@ public:
 	{
 		std::vector<char> isSeen(piece_.size(), 0);
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
-			isSeen[std::size_t(pieceOf_[f])] = 1;
+			isSeen[pieceOf_[f]] = 1;
 			moveIntoPiece(pieceOf_[f], middle_[f]);
 		}
 		RegionLabels out;
@@ -90,7 +90,7 @@ private:
 		const double unit = 1 / surface_.frame.scale;
 		piece_.resize(std::size_t(pieces_.num));
 		for (int f = 0; f < surface_.mesh.faceNum; ++f) {
-			RegionPiece& piece = piece_[std::size_t(pieces_.ofFace[std::size_t(f)])];
+			RegionPiece& piece = piece_[pieces_.ofFace[f]];
 			piece.label        = labelOf(input, surface_, f);
 			piece.area += 0.5 * double(length(surface_.mesh.faceCross(f))) * unit * unit;
 		}
@@ -102,7 +102,7 @@ private:
 		middle_.resize(num);
 		workers_.forEach(num, [&](int f) { middle_[f] = pointOfFace(surface_, result_, f); });
 		for (const SurfacePoint& at : middle_)
-			pieceOf_.push_back(pieces_.ofFace[std::size_t(at.face)]);
+			pieceOf_.push_back(pieces_.ofFace[at.face]);
 	}
 
 	void findHomes()
@@ -111,15 +111,14 @@ private:
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
 			const double area = double(length(result_.mesh.faceCross(int(f))));
 			areaOf_[{cells_.ofFace[f], pieceOf_[f]}] += area;
-			ofCell[std::size_t(cells_.ofFace[f])] += area;
-			ofPiece[std::size_t(pieceOf_[f])] += area;
+			ofCell[cells_.ofFace[f]] += area;
+			ofPiece[pieceOf_[f]] += area;
 		}
 		homeOf_.resize(ofCell.size());
 		for (const auto& [where, area] : areaOf_) {
 			const auto [cell, piece] = where;
-			if (area >= shareOfCell * ofCell[std::size_t(cell)] ||
-				area >= shareOfPiece * ofPiece[std::size_t(piece)])
-				homeOf_[std::size_t(cell)].push_back(piece);
+			if (area >= shareOfCell * ofCell[cell] || area >= shareOfPiece * ofPiece[piece])
+				homeOf_[cell].push_back(piece);
 		}
 	}
 
@@ -128,7 +127,7 @@ private:
 	void settleCells()
 	{
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
-			const std::vector<int>& home = homeOf_[std::size_t(cells_.ofFace[f])];
+			const std::vector<int>& home = homeOf_[cells_.ofFace[f]];
 			const bool isAtHome = std::binary_search(home.begin(), home.end(), pieceOf_[f]);
 			if (home.empty() || isAtHome) continue;
 			pieceOf_[f] = home.size() == 1 ? home[0] : none;
@@ -142,7 +141,7 @@ private:
 		std::array<int, 3>  round{none, none, none};
 		for (int k = 0; k < 3; ++k) {
 			const int h = 3 * f + k;
-			if (!m.isCurveEdge(h)) round[std::size_t(k)] = pieceOf_[std::size_t(m.opposite[h] / 3)];
+			if (!m.isCurveEdge(h)) round[k] = pieceOf_[m.opposite[h] / 3];
 		}
 		return round;
 	}
@@ -158,7 +157,7 @@ private:
 			std::vector<int> left;
 			for (int f : open) {
 				const std::array<int, 3> round = piecesRound(f);
-				int&                     own   = pieceOf_[std::size_t(f)];
+				int&                     own   = pieceOf_[f];
 				own                            = *std::max_element(round.begin(), round.end());
 				if (own == none) left.push_back(f);
 			}
@@ -170,7 +169,7 @@ private:
 	{
 		faceNumOf_.assign(piece_.size(), 0);
 		for (int piece : pieceOf_)
-			++faceNumOf_[std::size_t(piece)];
+			++faceNumOf_[piece];
 	}
 
 	/// Moves faces with two neighbours of the same other piece to this piece, in cells with several
@@ -179,15 +178,15 @@ private:
 	{
 		bool hasChanged = false;
 		for (int f = 0; f < result_.mesh.faceNum; ++f) {
-			if (homeOf_[std::size_t(cells_.ofFace[std::size_t(f)])].size() < 2) continue;
+			if (homeOf_[cells_.ofFace[f]].size() < 2) continue;
 			const std::array<int, 3> n   = piecesRound(f);
 			const int                two = n[0] == n[1] || n[0] == n[2] ? n[0] : n[1];
 			const bool isPair            = two != none && std::count(n.begin(), n.end(), two) >= 2;
-			if (!isPair || two == pieceOf_[std::size_t(f)] || isAlone(f, n)) continue;
-			--faceNumOf_[std::size_t(pieceOf_[std::size_t(f)])];
-			++faceNumOf_[std::size_t(two)];
-			pieceOf_[std::size_t(f)] = two;
-			hasChanged               = true;
+			if (!isPair || two == pieceOf_[f] || isAlone(f, n)) continue;
+			--faceNumOf_[pieceOf_[f]];
+			++faceNumOf_[two];
+			pieceOf_[f] = two;
+			hasChanged  = true;
 		}
 		return hasChanged;
 	}
@@ -195,9 +194,8 @@ private:
 	/// Whether a face is the only face of its piece, so that the piece would be lost.
 	bool isAlone(int f, const std::array<int, 3>& round) const
 	{
-		const int own = pieceOf_[std::size_t(f)];
-		return std::count(round.begin(), round.end(), own) == 0 &&
-			   faceNumOf_[std::size_t(own)] == 1;
+		const int own = pieceOf_[f];
+		return std::count(round.begin(), round.end(), own) == 0 && faceNumOf_[own] == 1;
 	}
 
 	/// Moves a point beyond the border of its piece to the middle of the nearest face of the piece,
@@ -206,22 +204,22 @@ private:
 	void moveIntoPiece(int piece, SurfacePoint& at)
 	{
 		const HalfEdgeMesh& m = surface_.mesh;
-		if (pieces_.ofFace[std::size_t(at.face)] == piece) return;
+		if (pieces_.ofFace[at.face] == piece) return;
 		if (lookedAtFor_.empty()) lookedAtFor_.assign(std::size_t(m.faceNum), -1);
 		const int first = at.face;
 		reached_.assign(1, first);
-		const int mark                   = ++lookedAt_;
-		lookedAtFor_[std::size_t(first)] = mark;
+		const int mark      = ++lookedAt_;
+		lookedAtFor_[first] = mark;
 		for (std::size_t i = 0; i < reached_.size(); ++i) {
 			const int f = reached_[i];
-			if (pieces_.ofFace[std::size_t(f)] == piece) {
+			if (pieces_.ofFace[f] == piece) {
 				at = {m.faceCentre(f), f};
 				return;
 			}
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
 				const int g = m.opposite[h] < 0 ? f : m.opposite[h] / 3;
-				if (lookedAtFor_[std::size_t(g)] == mark) continue;
-				lookedAtFor_[std::size_t(g)] = mark;
+				if (lookedAtFor_[g] == mark) continue;
+				lookedAtFor_[g] = mark;
 				reached_.push_back(g);
 			}
 		}
