@@ -162,7 +162,7 @@ private:
 		case Step::Export:
 			return tell(plan_.judge(ExportFacts{d.vertexNum, facesOf(d.vertexNum)}));
 		default:
-			return tell(plan_.judge(NoFacts()));
+			return plan_.goOn();
 		}
 	}
 
@@ -779,7 +779,7 @@ public:
 				plan.judge(ExportFacts{d.wholeNum()});
 				break;
 			default:
-				plan.judge(NoFacts());
+				plan.goOn();
 			}
 		}
 	}

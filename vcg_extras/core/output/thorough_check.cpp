@@ -7,6 +7,33 @@
 
 namespace gpr {
 
+ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& made,
+								   Workers& workers) :
+		input(viewOf(surface.mesh), workers),
+		result(viewOf(made.mesh), input, workers)
+{
+}
+
+DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
+							const ComparedSurfaces& both)
+{
+	// Error of input positions by rounding to single precision; the box is about 1. Positions of
+	// the result are compared unrounded.
+	constexpr double    rounding = 1e-7;
+	const double        scale    = surface.frame.scale;
+	CertificateSettings settings = usualCertificate(diagonal * scale);
+	settings.coordinateError     = rounding;
+	MutualBounds bounds;
+	bounds.toInput   = certifiedDistance(both.result, both.input, settings, run.workers);
+	bounds.fromInput = certifiedDistance(both.input, both.result, settings, run.workers);
+	const DistanceProof proof{true, bounds.times(1 / scale)};
+	if (proof.bounds.hausdorff().isBudgetSpent) {
+		run.tell("The proven bounds of the largest distance differ by more than 1 %: the budget of "
+				 "the proof was spent.");
+	}
+	return proof;
+}
+
 CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 							 const ComparedSurfaces& both, Workers& workers)
 {

@@ -3,7 +3,6 @@
 #include "verification.h"
 
 #include "audit.h"
-#include "thorough_check.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/smooth_border.h>

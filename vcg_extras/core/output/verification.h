@@ -3,12 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_OUTPUT_VERIFICATION_H
 #define VCG_EXTRAS_CORE_OUTPUT_VERIFICATION_H
 
-#include "distance_proof.h"
-
-#include <vcg_extras/core/base/run_context.h>
-#include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/report.h>
-#include <vcg_extras/core/surface/result_mesh.h>
+#include "thorough_check.h"
 
 #include <cstdint>
 

@@ -111,14 +111,11 @@ std::optional<DetectedRegion>& InputCache::region(const RemeshOptions& options)
 
 void InputCache::fitTo(const RemeshOptions& options)
 {
-	const bool keeps = keepsJunctions(options);
-	if (sew_ == options.sew && dropComponentsBelow_ == options.dropComponentsBelow &&
-		keepsJunctions_ == keeps)
-		return;
-	*this                = InputCache();
-	sew_                 = options.sew;
-	dropComponentsBelow_ = options.dropComponentsBelow;
-	keepsJunctions_      = keeps;
+	const auto wanted =
+		std::make_tuple(options.sew, options.dropComponentsBelow, keepsJunctions(options));
+	if (wanted == options_) return;
+	*this    = InputCache();
+	options_ = wanted;
 }
 
 FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
@@ -143,10 +140,10 @@ void countInput(RunContext& run, WorkingSurface& surface)
 	surface.figures = figuresOf(surface.mesh, 1 / surface.frame.scale, run.workers);
 }
 
-NoFacts findRegion(RunContext& run, InputCache* cache, Products& made)
+void findRegion(RunContext& run, InputCache* cache, Products& made)
 {
 	made.regionMarks.clear();
-	if (run.options.featureRegion != FeatureRegion::Detected) return {};
+	if (run.options.featureRegion != FeatureRegion::Detected) return;
 	InputCache                     own;
 	std::optional<DetectedRegion>& kept = (cache != nullptr ? *cache : own).region(run.options);
 	if (!kept) {
@@ -161,20 +158,15 @@ NoFacts findRegion(RunContext& run, InputCache* cache, Products& made)
 	for (const std::string& cap : kept->caps)
 		run.tellCap(cap);
 	made.regionMarks = kept->marks;
-	return {};
 }
 
 InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* cache, Products& made)
 {
-	const Sewing sewing = sewingFor(run.options, decisions.sewing);
-	if (cache == nullptr) {
-		made.input = clean(run, sewing, made.surface.cleaned);
-	}
-	else {
-		InputCache::OfSewing& kept = cache->of(run.options, sewing);
-		if (!kept.cleaned) kept.cleaned = clean(run, sewing, made.surface.cleaned);
-		made.input = kept.cleaned;
-	}
+	const Sewing          sewing = sewingFor(run.options, decisions.sewing);
+	InputCache            own;
+	InputCache::OfSewing& kept = (cache != nullptr ? *cache : own).of(run.options, sewing);
+	if (!kept.cleaned) kept.cleaned = clean(run, sewing, made.surface.cleaned);
+	made.input           = kept.cleaned;
 	made.surface.cleaned = made.input->counts;
 	made.surface.frame   = made.input->mesh.frame;
 	made.surface.area    = made.input->extents.area * (run.input.mirrorAxis < 0 ? 1 : 2);

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace gpr {
@@ -48,12 +49,10 @@ public:
 	std::optional<DetectedRegion>& region(const RemeshOptions& options);
 
 private:
-	/// The options for the cleaning of the input.
-	bool                          sew_                 = true;
-	std::int64_t                  dropComponentsBelow_ = 0;
-	bool                          keepsJunctions_      = false;
-	std::array<OfSewing, 3>       of_; ///< by Sewing
-	std::optional<DetectedRegion> region_;
+	/// The options for the cleaning of the input: see fitTo().
+	std::tuple<bool, std::int64_t, bool> options_;
+	std::array<OfSewing, 3>              of_; ///< by Sewing
+	std::optional<DetectedRegion>        region_;
 
 	void fitTo(const RemeshOptions& options);
 };
@@ -70,7 +69,7 @@ void countInput(RunContext& run, WorkingSurface& surface);
 
 /// Step Region: finds features for the feature region, if the options ask for detection. The
 /// features are the same as of detectFeatures.
-NoFacts findRegion(RunContext& run, InputCache* cache, Products& made);
+void findRegion(RunContext& run, InputCache* cache, Products& made);
 
 /// Step Input: takes the input mesh without faulty faces and without the components that the
 /// options drop; sews seams if decided. The remaining faces give area and radius. Throws Failure if

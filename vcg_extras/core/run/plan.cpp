@@ -246,12 +246,6 @@ void Plan::forecastVertices(const SizeFacts& facts)
 	if (isPaper(request_.options)) decisions_.faceNum = 0; // reaches no exact count
 }
 
-std::string Plan::judge(const NoFacts&)
-{
-	goOn();
-	return "";
-}
-
 std::string Plan::judge(const InputFacts& facts)
 {
 	resolveCount(facts);
@@ -622,23 +616,20 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
 	const bool         isFirst = attempts_.separatedFrom == 0;
 	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
+	const std::string  fault =
+		"With " + asked() + " sheets that meet in junctions would intersect each other";
 	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
-		refuse("With " + asked() +
-				   " sheets that meet in junctions would intersect each other; smaller triangles "
-				   "there, or about " +
-				   counted(next, faceNum) + ", are needed.",
+		refuse(fault + "; smaller triangles there, or about " + counted(next, faceNum) +
+				   ", are needed.",
 			   next, faceNum);
 	}
-	const std::string note = "With " + asked() +
-							 " sheets that meet in junctions would intersect each other, so the "
-							 "result has more triangles.";
 	decisions_.vertexNum = attempts_.asked = next;
 	decisions_.faceNum                     = faceNum;
 	decisions_.addedNum                    = 0;
 	attempts_.isRaised                     = true;
 	attempts_.refinementNum                = 0;
 	attempts_.separatedFrom                = first;
-	return tryAgain(isFirst ? note : "");
+	return tryAgain(isFirst ? fault + ", so the result has more triangles." : "");
 }
 
 std::string Plan::judge(const ContactFacts& facts)
@@ -703,7 +694,8 @@ std::string Plan::judge(const ExportFacts& facts)
 		if (!asksForFaces()) throw refusalAtLast();
 		hadNums_.push_back(facts);
 		if (hadNums_.size() == 2) throw refusalAtLast();
-		return tryToHaveFaces(facts.faceNum + attempts_.nextStep());
+		tryToHave(facts.faceNum + attempts_.nextStep());
+		return "";
 	}
 	if (decisions_.purpose != Purpose::Trial) return "";
 	trial_.vertexNum = facts.vertexNum;
@@ -746,31 +738,24 @@ void Plan::judge(const Failure& failure)
 		throw refusalAtLast();
 	}
 	smallestNum_ = failure.smallestVertexNum;
-	if (asksForFaces())
-		tryToHaveFaces(isFirst ? failure.smallestFaceNum
-							   : std::max(failure.smallestFaceNum, raised(wantedFaces_)));
-	else
+	if (!asksForFaces())
 		tryToHave(smallestNum_);
+	else
+		tryToHave(isFirst ? failure.smallestFaceNum
+						  : std::max(failure.smallestFaceNum, raised(wantedFaces_)));
 }
 
-std::string Plan::tryToHave(std::int64_t vertexNum)
+/// Begins a mesh with a count, of faces if faces are counted.
+void Plan::tryToHave(std::int64_t num)
 {
-	if (vertexNum <= 0 || vertexNum > fewVertices || !mayReturn()) throw refusalAtLast();
-	++returnNum_;
-	beginRun(Purpose::CountToBeHad, vertexNum);
-	return "";
-}
-
-std::string Plan::tryToHaveFaces(std::int64_t faceNum)
-{
-	const bool mayTry = faceNum > 0 && faceNum <= mostTriedFaces && triedNum_ < maxTriedCounts;
-	if (!mayTry || !mayReturn()) throw refusalAtLast();
-	isBest_      = false;
-	wantedFaces_ = faceNum;
+	const bool mayTry =
+		asksForFaces() ? num <= mostTriedFaces && triedNum_ < maxTriedCounts : num <= fewVertices;
+	if (num <= 0 || !mayTry || !mayReturn()) throw refusalAtLast();
+	isBest_ = false;
 	++triedNum_;
 	++returnNum_;
-	beginRun(Purpose::CountToBeHad, 0);
-	return "";
+	if (asksForFaces()) wantedFaces_ = num;
+	beginRun(Purpose::CountToBeHad, asksForFaces() ? 0 : num);
 }
 
 Failure Plan::refusalAtLast() const

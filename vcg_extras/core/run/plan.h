@@ -87,7 +87,6 @@ struct Decisions {
 
 // The facts that the steps return.
 
-struct NoFacts {};
 struct InputFacts {
 	double area  = 0; ///< working units squared
 	double scale = 1; ///< from mesh to working units
@@ -221,7 +220,8 @@ public:
 	/// The share of all work that belongs to the run under way.
 	WorkShare share() const;
 
-	std::string judge(const NoFacts& facts);
+	/// After a step without facts.
+	void        goOn();
 	std::string judge(const InputFacts& facts);
 	std::string judge(const SurfaceFacts& facts);
 	std::string judge(const SizeFacts& facts);
@@ -293,7 +293,6 @@ private:
 		hadNums_; ///< possible counts with a target of faces: the refusal names two
 
 	bool        has(Step step) const;
-	void        goOn();
 	bool        isWish() const;
 	bool        mayDiffer() const;
 	bool        asksForFaces() const;
@@ -324,8 +323,7 @@ private:
 	std::string       beginSearch(const MeshFacts& from);
 	std::string       goOnSearching();
 	std::string       endSearchAt(const MeshFacts& found);
-	std::string       tryToHave(std::int64_t vertexNum);
-	std::string       tryToHaveFaces(std::int64_t faceNum);
+	void              tryToHave(std::int64_t num);
 	Failure           refusalAtLast() const;
 	[[noreturn]] void refuse(const std::string& why, std::int64_t smallest,
 							 std::int64_t faceNum = 0) const;

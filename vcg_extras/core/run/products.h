@@ -14,6 +14,7 @@
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
 #include <vcg_extras/core/sampling/fused_mesh.h>
+#include <vcg_extras/core/sampling/given_samples.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <cstdint>
@@ -74,11 +75,7 @@ struct Samples {
 	std::int64_t   spacedFor  = 0; ///< count for the spacing
 	std::int64_t   num        = 0;
 	std::int64_t   onCurveNum = 0; ///< samples on borders and feature lines
-
-	// Of samples given by the user: see GivenSamples.
-	std::vector<char> isMoved;
-	std::int64_t      movedNum = 0;
-	float             farthest = 0;
+	GivenSamples   given;          ///< of the user; `sampling` gets theirs
 
 	/// Frees everything except the figures.
 	void release();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remeshing.h"
 
-#include "error_stages.h"
 #include "plan.h"
 #include "products.h"
 #include "result_stages.h"
@@ -73,11 +72,10 @@ Setup::Setup(const Call& call, Pipeline pipeline) :
 }
 
 Remeshing::Remeshing(const Call& call, Pipeline pipeline, const Request& request) :
-		setup_(call, pipeline), firstNotes_(setup_.run.notes),
-		cache_(call.cache), request_{setup_.options,  std::int64_t(call.input.vertexNum),
-									 request.purpose, request.sampleNum,
-									 request.goal,    request.diagonal},
-		plan_(request_), start_(call.start)
+		setup_(call, pipeline), firstNotes_(setup_.run.notes), cache_(call.cache),
+		plan_({setup_.options, std::int64_t(call.input.vertexNum), request.purpose,
+			   request.sampleNum, request.goal, request.diagonal}),
+		start_(call.start)
 {
 	if (cache_ == nullptr && request.goal) cache_ = &ownCache_;
 }
@@ -91,24 +89,24 @@ void Remeshing::takeStep()
 	try {
 		// clang-format off
 		switch (step) {
-		case Step::Region:       judge(findRegion(run, cache_, made_)); break;
+		case Step::Region:       findRegion(run, cache_, made_); plan_.goOn(); break;
 		case Step::Input:        judge(makeInput(run, d, cache_, made_)); break;
 		case Step::Surface:      judge(makeSurface(run, d, cache_, made_)); break;
 		case Step::Sizes:        judge(makeSizes(run, d, spots_, made_)); break;
 		case Step::Forecast:     judge(forecastCount(run, d, plan_.goal(), made_)); break;
 		case Step::Lines:        judge(findLines(run, d, made_)); break;
-		case Step::GivenLines:   judge(followGivenLines(run, d, made_)); break;
+		case Step::GivenLines:   followGivenLines(run, d, made_); plan_.goOn(); break;
 		case Step::Samples:      judge(placeSamples(run, d, made_)); break;
-		case Step::GivenSamples: judge(takeGivenSamples(run, d, *given, made_)); break;
-		case Step::Triangles:    judge(connectSamples(run, d, made_)); break;
+		case Step::GivenSamples: takeGivenSamples(run, d, *given, made_); plan_.goOn(); break;
+		case Step::Triangles:    connectSamples(run, d, made_); plan_.goOn(); break;
 		case Step::Count:        judge(reachCount(run, d, made_)); break;
 		case Step::Relaxation:   judge(relaxTriangles(run, made_)); break;
 		case Step::Fit:          judge(fitResult(run, d, made_)); break;
-		case Step::Release:      judge(releaseLinesAndFit(run, d, made_)); break;
+		case Step::Release:      releaseLinesAndFit(run, d, made_); plan_.goOn(); break;
 		case Step::Contacts:     judge(removeContacts(run, d, made_)); tellMade(run, made_); break;
 		case Step::Refinement:   judge(refineResult(run, plan_.goal(), made_)); break;
 		case Step::Error:        judge(measureError(run, plan_.goal(), spots_, made_)); break;
-		case Step::Check:        judge(checkResult(run, d, made_)); break;
+		case Step::Check:        checkResult(run, d, made_); plan_.goOn(); break;
 		case Step::Export:       exportAll(); break;
 		case Step::Done:         break;
 		}
@@ -130,7 +128,9 @@ Told Remeshing::told()
 
 void Remeshing::endTrials()
 {
-	bestTold_.addTrials(plan_.goal().largest, plan_.trialNum(), plan_.outcomeForError());
+	bestTold_.notes.push_back(plan_.outcomeForError());
+	bestTold_.report.errorGoal     = plan_.goal().largest;
+	bestTold_.report.errorTrialNum = plan_.trialNum();
 }
 
 void Remeshing::beginRun()
@@ -159,7 +159,7 @@ void Remeshing::exportAll()
 		exportSamples();
 	else
 		facts = exportMesh(setup_.run, made_, result);
-	if (given != nullptr) nameSamples(*given, made_.samples.isMoved, made_.result, result);
+	if (given != nullptr) nameSamples(*given, made_.samples.given.isMoved, made_.result, result);
 	Told told = tellOf(setup_.run, made_, plan_.decisions());
 	if (given != nullptr) told.report.targetVertexNum = facts.vertexNum;
 	plan_.judge(facts);
@@ -182,6 +182,18 @@ void Remeshing::exportSamples()
 }
 
 namespace {
+
+/// The error bound of the options, and the vertex counts allowed in trials.
+ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
+{
+	ErrorGoal goal;
+	goal.largest = largestError(options, extent.diagonal);
+	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
+	const double edge = edgePerError * goal.largest;
+	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
+	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
+	return goal;
+}
 
 Request requestOf(const Call& call)
 {

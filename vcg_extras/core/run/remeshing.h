@@ -69,7 +69,9 @@ struct TellAtEnd {
 	~TellAtEnd()
 	{
 		try {
-			run.told().handOver(out);
+			Told told  = run.told();
+			out.report = std::move(told.report);
+			out.notes  = std::move(told.notes);
 		}
 		catch (const std::bad_alloc&) {
 			out.notes.clear();
@@ -106,7 +108,6 @@ private:
 	std::vector<std::string>      firstNotes_; ///< about the options
 	InputCache*                   cache_;
 	InputCache                    ownCache_; ///< for the trials of one call
-	Request                       request_;
 	Plan                          plan_;
 	Products                      made_;
 	FineSpots                     spots_; ///< places beyond the error bound in the trials so far

@@ -43,8 +43,8 @@ void reportSamples(const RunContext& run, const Products& made, const Decisions&
 	report.featureConeApexNum  = std::int64_t(made.lines.found.coneApexes.size());
 	report.sampleNum           = made.samples.num;
 	report.boundarySampleNum   = made.samples.onCurveNum;
-	report.samplesMoved        = made.samples.movedNum;
-	report.largestSampleMove   = double(made.samples.farthest) / made.surface.frame.scale;
+	report.samplesMoved        = made.samples.given.movedNum;
+	report.largestSampleMove   = double(made.samples.given.farthest) / made.surface.frame.scale;
 }
 
 void reportEdits(const Products& made, RemeshReport& report)
@@ -119,13 +119,6 @@ void Told::addOtherRuns(StageClock::Clock::time_point start)
 	for (const StageTime& s : report.stages)
 		other -= s.seconds;
 	report.stages.push_back({"otherTrials", other});
-}
-
-void Told::addTrials(double goal, int trialNum, const std::string& outcome)
-{
-	report.errorGoal     = goal;
-	report.errorTrialNum = trialNum;
-	notes.push_back(outcome);
 }
 
 } // namespace gpr

@@ -21,17 +21,8 @@ struct Told {
 	RemeshReport             report;
 	std::vector<std::string> notes;
 
-	/// Adds the trials for an error bound.
-	void addTrials(double goal, int trialNum, const std::string& outcome);
 	/// Adds the time since the start of a call with several runs, less the time of this run.
 	void addOtherRuns(StageClock::Clock::time_point start);
-
-	template <class Result>
-	void handOver(Result& out)
-	{
-		out.report = std::move(report);
-		out.notes  = std::move(notes);
-	}
 };
 
 /// The report and the notes about the products of a run. No other function writes a report, and

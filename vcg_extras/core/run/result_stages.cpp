@@ -9,19 +9,24 @@
 #include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/features/regular_count.h>
 #include <vcg_extras/core/guard/contact_removal.h>
+#include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
+#include <vcg_extras/core/optimization/goal_refinement.h>
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
+#include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/sampling/target.h>
+#include <vcg_extras/core/surface/certified_distance.h>
 #include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace gpr {
 
@@ -138,13 +143,7 @@ bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const Result
 		   of.max > std::max(nearMost, mostFarther * before.max);
 }
 
-/// The products of the fit for the repair of poor faces.
-struct Fitted {
-	std::unique_ptr<ClosestFaceMap> map;            ///< of the last round; null without a fit
-	float                           largestGap = 0; ///< see FitOutcome
-};
-
-Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
+FitOutcome fit(RunContext& run, const Decisions& decisions, Products& made)
 {
 	if (!isFitted(run.options)) return {};
 	run.clock.enter(Stage::Fit);
@@ -154,7 +153,7 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
-	return {std::move(outcome.map), outcome.largestGap};
+	return outcome;
 }
 
 /// The largest distance of faces from the surface while angles are raised; 0: no limit.
@@ -167,7 +166,7 @@ float maxGapAfter(const Products& made, float largestGap)
 
 void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 {
-	Fitted fitted = fit(run, decisions, made);
+	FitOutcome fitted = fit(run, decisions, made);
 	if (run.options.preset != Preset::Default) return;
 	run.clock.enter(Stage::Angles);
 	returnReleasedMemory();
@@ -227,7 +226,7 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 	return {mayRelease && areLinesCrowded(run, made.result)};
 }
 
-NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
+void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
 	ResultMesh withLines = std::move(made.result);
 	made.result          = copyResult(*made.beforeFit, run.workers);
@@ -241,7 +240,6 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 		run.tell("Some feature lines are too close to each other for good angles; " +
 				 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
 	}
-	return {};
 }
 
 namespace {
@@ -295,6 +293,94 @@ void tellMade(RunContext& run, const Products& made)
 			 " vertices, at these places. The triangles there are less regular.");
 }
 
+RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made)
+{
+	// Before came the removal of contacts. Where it found none the mesh is as it was refined.
+	const bool isSame = made.guarded.foundPairNum == 0 && !made.surface.mesh.meetsAtPlaces;
+	if (made.keepsGoal && isSame) return {};
+	run.clock.enter(Stage::Fit);
+	const double       largest = goal.largest * made.surface.frame.scale;
+	const std::int64_t before  = made.result.vertexNum();
+	made.keepsGoal = refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	return {int(made.result.vertexNum() - before), true};
+}
+
+namespace {
+
+// ---- The trials for an error bound.
+
+/// How strongly the next trial reacts to places beyond the error bound.
+struct Effort {
+	double reachInEdges; ///< radius of smaller triangles round a place, in ideal edges
+	/// Factor on the size that would suffice if the error were proportional to the size, as on
+	/// creases and rims. Below 1, because each trial places samples elsewhere.
+	double caution;
+};
+
+/// The first trial leaves many far places, the second fewer; later trials shall leave none.
+constexpr Effort effortOfTrial[] = {{1.2, 0.75}, {1.5, 0.6}, {1.5, 0.5}};
+constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
+
+FineSpot spotAt(const FarPlace& place, const Effort& effort, double goal, double edge,
+				const Surface& surface)
+{
+	FineSpot spot;
+	spot.position = surface.frame.toCaller(Vec3f(place.position));
+	spot.reach    = (effort.reachInEdges * edge + place.distance) / surface.frame.scale;
+	spot.factor   = std::clamp(effort.caution * goal / place.distance, leastOfTrial, mostOfTrial);
+	return spot;
+}
+
+double areaOf(const std::vector<FarPlace>& places)
+{
+	double area = 0;
+	for (const FarPlace& p : places)
+		area += p.area;
+	return area;
+}
+
+/// The factor by which smaller triangles at the spots raise the number of triangles.
+double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers)
+{
+	return meanSquaredStretch(surface, factorsOf(spots, surface, workers), workers);
+}
+
+/// Finds the places at which the result is farther from the surface than the bound.
+ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces& both,
+							FineSpots& spots, const Products& made)
+{
+	const Surface& surface  = made.surface;
+	const double   limit    = goal * surface.frame.scale;
+	const Effort&  effort   = effortOfTrial[std::min<std::size_t>(spots.size(), 2)];
+	const auto     ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
+	const auto     ofResult = placesBeyond(both.result, both.input, limit, run.workers);
+	const double   total    = surfaceArea(surface.mesh, run.workers);
+	ErrorFacts     facts;
+	facts.share         = std::min(1.0, areaOf(ofInput) / std::max(total, 1e-300));
+	const double before = growthBy(spots, surface, run.workers);
+	spots.emplace_back();
+	for (const std::vector<FarPlace>* places : {&ofInput, &ofResult})
+		for (const FarPlace& p : *places)
+			spots.back().push_back(
+				spotAt(p, effort, limit, double(made.result.idealEdge), surface));
+	facts.growth = growthBy(spots, surface, run.workers) / before;
+	return facts;
+}
+
+} // namespace
+
+ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made)
+{
+	run.clock.enter(Stage::Error);
+	const ComparedSurfaces both(made.surface, made.result, run.workers);
+	made.verified.proof = proveDistance(run, made.surface, made.surface.figures.diagonal, both);
+	const double error  = made.verified.proof.bounds.hausdorff().upper;
+	ErrorFacts   facts;
+	if (error > goal.largest) facts = findPlacesBeyond(run, goal.largest, both, spots, made);
+	facts.error = error;
+	return facts;
+}
+
 namespace {
 
 /// Tells about cut junctions that are longer than some edges. Shorter junctions are faults of a
@@ -312,7 +398,7 @@ void tellCutJunctions(RunContext& run, const Products& made)
 
 } // namespace
 
-NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
+void checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
 	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
@@ -320,7 +406,6 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
 							std::int64_t(made.sizes.kept.size())};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
-	return {};
 }
 
 namespace {

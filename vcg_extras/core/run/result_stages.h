@@ -9,6 +9,7 @@
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/results.h>
+#include <vcg_extras/core/sampling/fine_spots.h>
 
 namespace gpr {
 
@@ -33,7 +34,7 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made);
 /// Step Release: releases feature lines that are too close to each other for good angles, and fits
 /// the mesh from before the fit again. If the mesh is then too far from the surface, the result
 /// stays as before the step.
-NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
+void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Contacts: removes self-intersections from the result, if the options ask for that.
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made);
@@ -41,9 +42,18 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 /// Tells the user about vertices made by the last step Contacts.
 void tellMade(RunContext& run, const Products& made);
 
+/// Step Refinement: makes triangles smaller at places beyond the error bound, unless the places are
+/// so many that all triangles are too large. Returns the number of added vertices.
+RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made);
+
+/// Step Error: proves the largest distance. If the distance is above the bound, the far places are
+/// appended to `spots`, which the next trial gives smaller triangles. Cost: a proof, and a search
+/// for each triangle perhaps beyond the bound, in parallel.
+ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made);
+
 /// Step Check: audits the result, thoroughly if the options ask for that. Throws Failure if the
 /// result breaks a promise.
-NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made);
+void checkResult(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Export: writes the mesh in the frame of the input.
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out);

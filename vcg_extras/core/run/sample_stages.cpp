@@ -13,7 +13,6 @@
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
 #include <vcg_extras/core/sampling/fuse_samples.h>
-#include <vcg_extras/core/sampling/given_samples.h>
 #include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>
@@ -123,25 +122,21 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 
-NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
-						 const std::vector<Vec3d>& points, Products& made)
+void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
+					  Products& made)
 {
 	run.clock.enter(Stage::GivenSamples);
-	GivenSamples given      = takeOverSamples(made.surface, points, run.workers);
-	Samples&     samples    = made.samples;
+	Samples& samples        = made.samples;
+	samples.given           = takeOverSamples(made.surface, points, run.workers);
 	samples.radius          = usualRadius(made, run.options, decisions.spacedFor());
 	samples.spacedFor       = decisions.spacedFor();
 	samples.num             = std::int64_t(points.size());
-	samples.sampling        = std::move(given.sampling);
+	samples.sampling        = std::move(samples.given.sampling);
 	samples.sampling.radius = samples.radius;
-	samples.isMoved         = std::move(given.isMoved);
-	samples.movedNum        = given.movedNum;
-	samples.farthest        = given.farthest;
 	samples.partition       = cutForSampling(run, decisions, samples.radius, made.surface);
-	return {};
 }
 
-NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made)
+void connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Retriangulation);
 	ResultMesh& result = made.result;
@@ -164,10 +159,9 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 	}
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, result);
-	if (decisions.purpose == Purpose::OfGivenSamples) return {};
+	if (decisions.purpose == Purpose::OfGivenSamples) return;
 	if (!repairInvertedFaces(made.surface, made.curves, true, result, run.workers))
 		run.tellCap("changes for inverted faces");
-	return {};
 }
 
 CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)

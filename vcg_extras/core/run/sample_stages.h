@@ -22,12 +22,12 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 
 /// Step GivenSamples: takes the points of the user as samples. Throws Failure if a point is not
 /// finite.
-NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
-						 const std::vector<Vec3d>& points, Products& made);
+void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
+					  Products& made);
 
 /// Step Triangles: connects the samples to a mesh by the method of the preset, and flips edges a
 /// first time.
-NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made);
+void connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
 CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);

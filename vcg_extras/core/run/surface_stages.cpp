@@ -100,7 +100,8 @@ CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Produ
 	const float edge = made.sizes.followLines ? evenEdge(made.surface.area, decisions.spacedFor())
 											  : idealEdge(made, decisions.spacedFor());
 	CreaseRules rules;
-	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
+	// The removal of vertices of the preset paper knows no curves except the border.
+	rules.mode            = isPaper(options) ? FeatureMode::Off : options.featureMode;
 	rules.strongDeg       = float(options.featureAngleDeg);
 	rules.weakDeg         = 0.5f * rules.strongDeg;
 	rules.minLength       = minLineLength * edge;
@@ -281,17 +282,11 @@ SizeFacts factsOf(const Products& made, bool countsFaces)
 
 } // namespace
 
-bool followsFeatureLines(const RemeshOptions& options)
-{
-	return !isPaper(options);
-}
-
 SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
 					Products& made)
 {
 	setSizes(run, decisions, spots, made);
-	run.clock.enter(Stage::InputFigures);
-	made.surface.figures = figuresOf(made.surface.mesh, 1 / made.surface.frame.scale, run.workers);
+	countInput(run, made.surface);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
 	return factsOf(made, decisions.faceNum > 0);
 }
@@ -338,29 +333,28 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 	return {shareOf(made.lines.curves, decisions, m)};
 }
 
-NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
+void followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
 {
-	if (decisions.way != Way::WithFeatureLines) return {};
+	if (decisions.way != Way::WithFeatureLines) return;
 	const bool areAllGiven = run.options.featureMode == FeatureMode::Given;
 	if (areAllGiven && run.input.line == nullptr) {
 		throw Failure(Status::BadOptions,
 					  "The feature lines are the selected edges, but no edge is selected.");
 	}
-	if (!hasGivenLines(run.input) || !followsFeatureLines(run.options)) return {};
+	if (!hasGivenLines(run.input) || isPaper(run.options)) return;
 	HalfEdgeMesh&      m      = made.surface.mesh;
 	Buffer<char>       before = copyOf(m.crease, run.workers);
 	const std::int64_t added  = markGivenLines(run.input, run.workers, made.surface);
-	if (added == 0) return {};
+	if (added == 0) return;
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
 	if (shareOf(sampleCurves(run, decisions, radius, made), decisions, m) <= maxOnGivenLines) {
 		made.lines.edgeNum += added;
 		made.lines.radius = 0;
-		return {};
+		return;
 	}
 	m.crease.swap(before);
 	run.tell("The vertices are too few for all given lines, such as seams of a texture or region "
 			 "borders, so the triangles do not follow these lines.");
-	return {};
 }
 
 BoundaryCurves sampleCurves(RunContext& run, const Decisions& decisions, float radius,

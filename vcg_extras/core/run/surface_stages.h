@@ -12,10 +12,6 @@ namespace gpr {
 
 // The steps that examine the working surface before the sampling.
 
-/// Whether feature lines are followed: not with the preset paper, whose removal of vertices knows
-/// no curves except the border.
-bool followsFeatureLines(const RemeshOptions& options);
-
 /// Step Sizes: finds the feature region and the local sizes, and splits edges that are too long for
 /// small triangles. The sizes are attached to the vertices. spots: places where an error bound
 /// needs smaller triangles. Throws Failure if the selection is the feature region and is empty.
@@ -34,7 +30,7 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 
 /// Step GivenLines: adds the lines of the user, if the lines leave enough vertices for the surface
 /// between them. Throws Failure if the options allow given lines only and there are none.
-NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
+void followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
 
 /// The number of vertices of the whole mesh for the first `num` samples.
 template <class Samples>
