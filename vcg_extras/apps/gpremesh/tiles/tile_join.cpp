@@ -5,9 +5,6 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 
-#include <cstring>
-#include <fstream>
-#include <memory>
 #include <unordered_map>
 
 namespace gpr::app {
@@ -73,12 +70,7 @@ private:
 
 	std::vector<SharedName> namesOf(const PartFile& part) const
 	{
-		std::vector<SharedName> names(part.facts.vertexNum);
-		std::ifstream           file(folder_.partNames(part.tile), std::ios::binary);
-		file.read(reinterpret_cast<char*>(names.data()),
-				  std::streamsize(names.size() * sizeof(SharedName)));
-		if (!file) failInput("cannot read '" + folder_.partNames(part.tile) + "'");
-		return names;
+		return readNames(folder_.partNames(part.tile));
 	}
 
 	/// Numbers the vertices of all parts. Returns their number.

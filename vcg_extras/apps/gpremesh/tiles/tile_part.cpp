@@ -5,14 +5,12 @@
 #include <vcg_extras/core/input/thin_border.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <memory>
 
 namespace gpr::app {
@@ -28,21 +26,6 @@ constexpr double condensedAdapt = 0.25;
 constexpr double borderEdgeShare = 0.7;
 /// A tile is taken unchanged if condensing would leave more than this share of its vertices.
 constexpr double mostLeft = 0.7;
-
-std::vector<SharedName> readNames(const std::string& path)
-{
-	std::ifstream file(path, std::ios::binary | std::ios::ate);
-	if (!file) failInput("cannot read '" + path + "'");
-	const std::size_t           bytes = std::size_t(file.tellg());
-	std::vector<TileVertexName> onDisk(bytes / sizeof(TileVertexName));
-	file.seekg(0);
-	file.read(reinterpret_cast<char*>(onDisk.data()), std::streamsize(bytes));
-	std::vector<SharedName> names(onDisk.size());
-	for (std::size_t v = 0; v < names.size(); ++v) {
-		if (onDisk[v].isShared != 0) names[v] = {onDisk[v].number, onDisk[v].number, 0};
-	}
-	return names;
-}
 
 WantedAttributes carriedOnes()
 {
@@ -255,12 +238,8 @@ private:
 	void write(Part& part, PartFacts& facts)
 	{
 		writeMesh(part.mesh, mesh_.doublePrecision, part.attributes, folder_.part(tile_), limit_);
-		OutputFile out(folder_.partNames(tile_), limit_);
-		out.bytes(reinterpret_cast<const char*>(part.names.data()),
-				  part.names.size() * sizeof(part.names[0]));
-		out.commit();
 		facts.mesh  = stampOf(folder_.part(tile_));
-		facts.names = stampOf(folder_.partNames(tile_));
+		facts.names = writeNames(part.names, folder_.partNames(tile_), limit_);
 	}
 };
 

@@ -3,7 +3,6 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_PART_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_PART_H
 
-#include "border_split.h"
 #include "tile_split.h"
 
 namespace gpr::app {

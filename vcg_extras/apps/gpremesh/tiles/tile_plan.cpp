@@ -203,15 +203,15 @@ void requireMemoryForFaces(double faceNum, double memoryBytes)
 				  faceNum, needed * 1e-9, memoryBytes * 1e-9));
 }
 
-TilePlan makePlan(const TileRequest& request)
+TilePlan makePlan(const RemeshOptions& options, const TileSettings& settings)
 {
-	checkOptions(request.options);
+	checkOptions(options);
 	TilePlan plan;
-	plan.optionsText = request.optionsText;
-	plan.options     = request.options;
-	plan.memoryBytes = request.memoryBytes;
+	plan.optionsText = settings.optionsText;
+	plan.options     = options;
+	plan.memoryBytes = double(settings.memoryBytes);
 	std::vector<PlyRecordLayout> layouts;
-	for (const std::string& path : request.inputs) {
+	for (const std::string& path : settings.inputs) {
 		layouts.push_back(readRecordLayout(path));
 		plan.inputs.push_back(fs::absolute(path).lexically_normal().string());
 		plan.vertexNum.push_back(layouts.back().vertices().count);
@@ -222,7 +222,7 @@ TilePlan makePlan(const TileRequest& request)
 	if (all > mostVertices) failInput("the inputs have more than 4,294,967,294 vertices.");
 	requireMemoryFor(resultVertexNum(plan.options, double(all)), plan.memoryBytes);
 	const int wanted =
-		request.tileNum > 0 ? request.tileNum : tilesFor(double(plan.allFaces()), plan.memoryBytes);
+		settings.tileNum > 0 ? settings.tileNum : tilesFor(double(plan.allFaces()), plan.memoryBytes);
 	std::vector<Vec3d> points = samplePositions(plan.inputs, layouts, all);
 	if (points.empty()) failInput("the inputs have no vertices.");
 	plan.cells = CellTree(points, wanted);

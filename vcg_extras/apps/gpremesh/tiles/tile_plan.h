@@ -7,22 +7,13 @@
 #include "ply_records.h"
 #include "run_folder.h"
 
-#include <vcg_extras/core/options.h>
+#include <vcg_extras/apps/gpremesh/commands/command_line.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace gpr::app {
-
-/// The request for a run in tiles.
-struct TileRequest {
-	std::vector<std::string> inputs;          ///< pieces of one surface
-	RemeshOptions            options;         ///< of the result
-	std::string              optionsText;     ///< options as given by the user
-	double                   memoryBytes = 0; ///< at most, of each process; 0: unlimited
-	int                      tileNum     = 0; ///< 0: by the memory
-};
 
 /// The plan of a run in tiles, for all steps. The plan depends on the inputs and the options alone:
 /// the same plan gives the same bytes on any machine.
@@ -48,11 +39,12 @@ double bytesUntiled(double faceNum, double resultVertexNum);
 /// Vertices of the result if options name a count or a share; 0 if options name an edge length.
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum);
 
-/// Makes a plan from the headers and a sample of the vertices. The inputs must be binary PLY files.
+/// Makes a plan from the headers and a sample of the vertices. options: of the result. The inputs
+/// must be binary PLY files.
 /// Throws AppError: (BadInput) for files that cannot be read in tiles, (Usage) for options without
 /// support in tiles, (PromiseBroken) if the memory is too small for the result. Cost: 100,000
 /// reads.
-TilePlan makePlan(const TileRequest& request);
+TilePlan makePlan(const RemeshOptions& options, const TileSettings& settings);
 
 /// Writes the plan into the folder, which is made. Keeps an equal plan in the folder; throws
 /// AppError (Usage) for a different plan.

@@ -30,17 +30,6 @@ constexpr double shareOfSplit = 0.15, shareOfParts = 0.6, shareOfJoin = 0.05;
 constexpr double shareUntilJoin = shareOfSplit + shareOfParts;
 constexpr double shareCondensed = shareUntilJoin + shareOfJoin;
 
-TileRequest requestOf(const CommandLine& line)
-{
-	TileRequest request;
-	request.inputs      = line.tiles.inputs;
-	request.options     = line.options;
-	request.optionsText = line.tiles.optionsText;
-	request.memoryBytes = double(line.tiles.memoryBytes);
-	request.tileNum     = line.tiles.tileNum;
-	return request;
-}
-
 void noteDensity(double vertexNum, double memoryBytes, std::vector<std::string>& notes)
 {
 	const double density = condensedDensity(vertexNum, memoryBytes);
@@ -95,22 +84,25 @@ ProgressCallback partOf(ProgressBar& bar, double from, double to)
 }
 
 /// The plan of the inputs; converts inputs if needed.
-TilePlan planFor(TileRequest request, const RunFolder& folder, const RunLimit& limit,
+TilePlan planFor(const CommandLine& line, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress)
 {
-	request.inputs = convertInputs(request.inputs, request.memoryBytes, folder, limit, progress);
-	TilePlan plan  = makePlan(request);
+	TileSettings settings = line.tiles;
+	settings.inputs =
+		convertInputs(settings.inputs, double(settings.memoryBytes), folder, limit, progress);
+	TilePlan plan = makePlan(line.options, settings);
 	writePlan(plan, folder);
 	return plan;
 }
 
 /// The plan of a finished split; the converted inputs are already removed.
-TilePlan planOfSplit(const TileRequest& request, const RunFolder& folder)
+TilePlan planOfSplit(const TileSettings& settings, const RunFolder& folder)
 {
 	TilePlan plan = readPlan(folder);
-	if (plan.optionsText != request.optionsText || plan.memoryBytes != request.memoryBytes)
+	if (plan.optionsText != settings.optionsText ||
+		plan.memoryBytes != double(settings.memoryBytes))
 		failOtherPlan(folder.plan());
-	requireSameInputs(request.inputs, folder);
+	requireSameInputs(settings.inputs, folder);
 	return plan;
 }
 
@@ -186,7 +178,7 @@ Json stepJson(const TilePlan& plan, const char* step)
 
 void stepPlan(const CommandLine& line, const RunFolder& folder, const RunLimit& limit)
 {
-	const TilePlan plan = planFor(requestOf(line), folder, limit, nullptr);
+	const TilePlan plan = planFor(line, folder, limit, nullptr);
 	Json           json = stepJson(plan, "plan");
 	json["tiles"]       = plan.tileNum();
 	json["vertices"]    = plan.allVertices();
@@ -252,22 +244,21 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
 	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);
-	TileRequest     request = requestOf(line);
-	request.inputs          = {line.input};
+	CommandLine     whole = line;
+	whole.tiles.inputs    = {line.input};
 	const bool isSplit      = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
 	TilePlan   plan;
 	{
 		ProgressBar bar(!line.quiet && errorIsTerminal());
-		plan                 = isSplit ? planOfSplit(request, folder)
-									   : planFor(request, folder, limit, partOf(bar, 0, 1));
+		plan                 = isSplit ? planOfSplit(whole.tiles, folder)
+									   : planFor(whole, folder, limit, partOf(bar, 0, 1));
 		plan.options.threads = line.options.threads;
 		bar.clear();
 		if (!line.quiet) std::fputs(expectation(plan, folder).c_str(), stderr);
 		condense(plan, folder, limit, bar);
 	}
-	CommandLine rest = line;
-	rest.shareDone   = shareCondensed;
-	finish(rest, plan, readSplit(plan, folder), folder, programClock);
+	whole.shareDone = shareCondensed;
+	finish(whole, plan, readSplit(plan, folder), folder, programClock);
 	std::error_code error;
 	fs::remove_all(folder.path(), error);
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
 
@@ -113,6 +114,10 @@ struct VertexPool {
 		return numbers.has(wanted) ? std::int64_t(numbers.rank(wanted)) : -1;
 	}
 	const char* record(std::size_t i, std::size_t bytes) const { return &records[i * bytes]; }
+	SharedName  nameOf(std::size_t i) const
+	{
+		return isShared[i] ? SharedName{number[i], number[i], 0} : SharedName();
+	}
 };
 
 class Splitter {
@@ -254,7 +259,7 @@ private:
 		VertexPool        own      = ownVertices(tile);
 		VertexPool        borrowed = borrowedVertices(tile);
 		std::vector<char> faces    = spills_[Faces].take(tile);
-		markUsed(faces, own);
+		facts_.tiles[std::size_t(tile)].faceNum = markUsed(faces, own);
 		lend(tile, own);
 		write(tile, own, borrowed, faces);
 	}
@@ -296,16 +301,19 @@ private:
 		return pool;
 	}
 
-	static void markUsed(const std::vector<char>& faces, VertexPool& own)
+	/// Returns the number of faces.
+	static std::uint64_t markUsed(const std::vector<char>& faces, VertexPool& own)
 	{
-		FaceSpill  spill(faces);
-		FaceRecord face;
-		while (spill.next(face)) {
+		FaceSpill     spill(faces);
+		FaceRecord    face;
+		std::uint64_t num = 0;
+		for (; spill.next(face); ++num) {
 			for (std::int64_t v : face.corners) {
 				const std::int64_t i = own.find(std::uint32_t(v));
 				if (i >= 0) own.isUsed[std::size_t(i)] = 1;
 			}
 		}
+		return num;
 	}
 
 	/// Lends the tile's vertices to the tiles with faces at these vertices. A vertex is shared if
@@ -336,38 +344,25 @@ private:
 	void write(int tile, const VertexPool& own, const VertexPool& borrowed,
 			   const std::vector<char>& faces)
 	{
-		SplitFacts::Tile&           facts = facts_.tiles[std::size_t(tile)];
-		std::vector<std::int64_t>   newIndex(own.number.size(), -1);
-		std::vector<TileVertexName> names;
+		SplitFacts::Tile&         facts = facts_.tiles[std::size_t(tile)];
+		std::vector<std::int64_t> newIndex(own.number.size(), -1);
+		std::vector<SharedName>   names;
 		for (std::size_t i = 0; i < own.number.size(); ++i) {
 			if (!own.isUsed[i]) continue;
 			newIndex[i] = std::int64_t(names.size());
-			names.push_back({own.number[i], std::uint32_t(own.isShared[i])});
+			names.push_back(own.nameOf(i));
 		}
 		const std::int64_t firstBorrowed = std::int64_t(names.size());
 		for (std::size_t i = 0; i < borrowed.number.size(); ++i)
-			names.push_back({borrowed.number[i], std::uint32_t(borrowed.isShared[i])});
+			names.push_back(borrowed.nameOf(i));
 		facts.vertexNum    = names.size();
-		facts.sharedNum    = std::uint64_t(std::count_if(
-			   names.begin(), names.end(), [](const TileVertexName& n) { return n.isShared != 0; }));
-		facts.faceNum      = faceNumOf(faces);
 		const auto localOf = [&](std::int64_t v) {
 			const std::int64_t i = own.find(std::uint32_t(v));
 			return i >= 0 ? newIndex[std::size_t(i)]
 						  : firstBorrowed + borrowed.find(std::uint32_t(v));
 		};
 		writeMesh(tile, own, borrowed, faces, localOf);
-		writeNames(tile, names);
-	}
-
-	static std::uint64_t faceNumOf(const std::vector<char>& faces)
-	{
-		FaceSpill     spill(faces);
-		FaceRecord    face;
-		std::uint64_t num = 0;
-		while (spill.next(face))
-			++num;
-		return num;
+		facts.names = writeNames(names, folder_.tileNames(tile), limit_);
 	}
 
 	template <class LocalOf>
@@ -410,21 +405,12 @@ private:
 		const double area = 0.5 * length(cross(b - a, c - a));
 		return std::isfinite(area) ? area : 0;
 	}
-
-	void writeNames(int tile, const std::vector<TileVertexName>& names)
-	{
-		OutputFile out(folder_.tileNames(tile), limit_);
-		out.bytes(reinterpret_cast<const char*>(names.data()), names.size() * sizeof(names[0]));
-		out.commit();
-		facts_.tiles[std::size_t(tile)].names = stampOf(folder_.tileNames(tile));
-	}
 };
 
 Json jsonOf(const SplitFacts::Tile& tile)
 {
 	return {{"vertices", tile.vertexNum}, {"faces", tile.faceNum},
-			{"shared", tile.sharedNum},   {"area", tile.area},
-			{"mesh", jsonOf(tile.mesh)},  {"names", jsonOf(tile.names)}};
+			{"area", tile.area}, {"mesh", jsonOf(tile.mesh)}, {"names", jsonOf(tile.names)}};
 }
 
 SplitFacts factsOf(const Json& record)
@@ -434,7 +420,6 @@ SplitFacts factsOf(const Json& record)
 		SplitFacts::Tile tile;
 		tile.vertexNum = json.at("vertices").get<std::uint64_t>();
 		tile.faceNum   = json.at("faces").get<std::uint64_t>();
-		tile.sharedNum = json.at("shared").get<std::uint64_t>();
 		tile.area      = json.at("area").get<double>();
 		tile.mesh      = stampOf(json.at("mesh"));
 		tile.names     = stampOf(json.at("names"));
@@ -444,6 +429,27 @@ SplitFacts factsOf(const Json& record)
 }
 
 } // namespace
+
+std::vector<SharedName> readNames(const std::string& path)
+{
+	std::ifstream file(path, std::ios::binary | std::ios::ate);
+	if (!file) failInput("cannot read '" + path + "'");
+	std::vector<SharedName> names(std::size_t(file.tellg()) / sizeof(SharedName));
+	file.seekg(0);
+	file.read(reinterpret_cast<char*>(names.data()),
+			  std::streamsize(names.size() * sizeof(SharedName)));
+	if (!file) failInput("cannot read '" + path + "'");
+	return names;
+}
+
+FileStamp writeNames(const std::vector<SharedName>& names, const std::string& path,
+					 const RunLimit& limit)
+{
+	OutputFile out(path, limit);
+	out.bytes(reinterpret_cast<const char*>(names.data()), names.size() * sizeof(SharedName));
+	out.commit();
+	return stampOf(path);
+}
 
 double SplitFacts::area() const
 {

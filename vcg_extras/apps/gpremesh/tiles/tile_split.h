@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 
+#include "border_split.h"
 #include "tile_plan.h"
 
 #include <vcg_extras/core/progress.h>
@@ -17,19 +18,13 @@ namespace gpr::app {
 /// The figures of the split, for the next steps.
 struct SplitFacts {
 	struct Tile {
-		std::uint64_t vertexNum = 0, faceNum = 0, sharedNum = 0; ///< shared: with other tiles
+		std::uint64_t vertexNum = 0, faceNum = 0;
 		double        area = 0;
 		FileStamp     mesh, names;
 	};
 	std::vector<Tile> tiles;
 
 	double area() const;
-};
-
-/// A vertex of a tile: its number in all inputs, and whether other tiles have the vertex too.
-struct TileVertexName {
-	std::uint32_t number   = 0;
-	std::uint32_t isShared = 0;
 };
 
 /// Cuts the inputs into tiles: each vertex belongs to its cell, each face to the lowest cell of its
@@ -40,6 +35,11 @@ struct TileVertexName {
 /// tile. Cost: two passes over the input, and as much written.
 SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress);
+
+/// The names of the vertices of a tile or part, in a file beside its mesh.
+std::vector<SharedName> readNames(const std::string& path);
+FileStamp writeNames(const std::vector<SharedName>& names, const std::string& path,
+					 const RunLimit& limit);
 
 /// Throws AppError (Usage) if the split was not done.
 SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder);
