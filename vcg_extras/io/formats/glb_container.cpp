@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glb_container.h"
 
-#include <vcg_extras/io/base/exit_code.h>
+#include "ply_source.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace gpr::app {
 
 namespace {
-
-template <class T>
-T valueAt(const char* at)
-{
-	T value;
-	std::memcpy(&value, at, sizeof value);
-	return value;
-}
 
 /// The next chunk, cut off the file's begin; empty at its end.
 std::string_view takeChunk(std::string_view& file, std::uint32_t& kind)
@@ -27,8 +18,8 @@ std::string_view takeChunk(std::string_view& file, std::uint32_t& kind)
 		file = {};
 		return {};
 	}
-	const auto length = valueAt<std::uint32_t>(file.data());
-	kind              = valueAt<std::uint32_t>(file.data() + 4);
+	const auto length = loadLittleEndian<std::uint32_t>(file.data());
+	kind              = loadLittleEndian<std::uint32_t>(file.data() + 4);
 	file.remove_prefix(gltf::chunkHeaderBytes);
 	if (length > file.size()) failInput("the file is cut off");
 	const std::string_view chunk = file.substr(0, length);
@@ -60,51 +51,47 @@ int componentNumOf(const GltfJson& accessor)
 	failInput("an accessor has a wrong type");
 }
 
-std::size_t bytesOf(std::int64_t componentType)
+PlyType typeOf(std::int64_t componentType)
 {
 	switch (componentType) {
 	case gltf::Int8:
+		return PlyType::Int8;
 	case gltf::UInt8:
-		return 1;
+		return PlyType::UInt8;
 	case gltf::Int16:
+		return PlyType::Int16;
 	case gltf::UInt16:
-		return 2;
+		return PlyType::UInt16;
 	case gltf::UInt32:
+		return PlyType::UInt32;
 	case gltf::Float:
-		return 4;
+		return PlyType::Float32;
 	default:
 		failInput("an accessor has numbers of an unknown kind");
 	}
 }
 
-/// A whole number as a share of the largest number of its kind.
-double normalized(double value, std::int64_t componentType)
+bool hasSign(PlyType type)
 {
-	switch (componentType) {
-	case gltf::Int8:
-		return std::max(value / 127, -1.0);
-	case gltf::UInt8:
-		return value / 255;
-	case gltf::Int16:
-		return std::max(value / 32767, -1.0);
-	case gltf::UInt16:
-		return value / 65535;
-	case gltf::UInt32:
-		return value / 4294967295.0;
-	default:
-		return value;
-	}
+	return type == PlyType::Int8 || type == PlyType::Int16 || type == PlyType::Float32;
+}
+
+/// The largest whole number of a type.
+double largestOf(PlyType type)
+{
+	const std::size_t bits = 8 * plyTypeSize(type) - (hasSign(type) ? 1 : 0);
+	return double((std::uint64_t(1) << bits) - 1);
 }
 
 } // namespace
 
 GlbChunks glbChunksOf(std::string_view file)
 {
-	if (file.size() < gltf::headerBytes || valueAt<std::uint32_t>(file.data()) != gltf::magic)
+	if (file.size() < gltf::headerBytes || loadLittleEndian<std::uint32_t>(file.data()) != gltf::magic)
 		failInput("the file is no binary glTF file");
-	if (valueAt<std::uint32_t>(file.data() + 4) != gltf::version)
+	if (loadLittleEndian<std::uint32_t>(file.data() + 4) != gltf::version)
 		failInput("the file has another version of glTF than 2.0");
-	const auto length = valueAt<std::uint32_t>(file.data() + 8);
+	const auto length = loadLittleEndian<std::uint32_t>(file.data() + 8);
 	if (length > file.size() || length < gltf::headerBytes) failInput("the file is cut off");
 	file = file.substr(gltf::headerBytes, length - gltf::headerBytes);
 
@@ -161,8 +148,8 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 	const GltfJson& entry = entryOf(listOf(glb.json, "accessors"), accessor, "accessor");
 	if (entry.contains("sparse") || !entry.contains("bufferView"))
 		failInput("the file has sparse accessors, which are not read");
-	type_           = countOf(entry, "componentType", 0);
-	componentBytes_ = bytesOf(type_);
+	type_           = typeOf(countOf(entry, "componentType", 0));
+	componentBytes_ = plyTypeSize(type_);
 	componentNum_   = componentNumOf(entry);
 	if (wantedComponents != 0 && componentNum_ != wantedComponents)
 		failInput("an accessor has a wrong type");
@@ -188,42 +175,15 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 
 double GltfRows::number(std::size_t row, int component) const
 {
-	const char* const from  = at(row, component);
-	double            value = 0;
-	switch (type_) {
-	case gltf::Int8:
-		value = valueAt<std::int8_t>(from);
-		break;
-	case gltf::UInt8:
-		value = valueAt<std::uint8_t>(from);
-		break;
-	case gltf::Int16:
-		value = valueAt<std::int16_t>(from);
-		break;
-	case gltf::UInt16:
-		value = valueAt<std::uint16_t>(from);
-		break;
-	case gltf::UInt32:
-		value = valueAt<std::uint32_t>(from);
-		break;
-	default:
-		return double(valueAt<float>(from));
-	}
-	return isNormalized_ ? normalized(value, type_) : value;
+	const double value = loadValue<double>(type_, at(row, component), !hostIsLittleEndian());
+	if (!isNormalized_ || !isInteger(type_)) return value;
+	return std::max(value / largestOf(type_), -1.0);
 }
 
 std::int64_t GltfRows::index(std::size_t row) const
 {
-	switch (type_) {
-	case gltf::UInt8:
-		return valueAt<std::uint8_t>(at(row, 0));
-	case gltf::UInt16:
-		return valueAt<std::uint16_t>(at(row, 0));
-	case gltf::UInt32:
-		return valueAt<std::uint32_t>(at(row, 0));
-	default:
-		failInput("its indices are no whole numbers without sign");
-	}
+	if (hasSign(type_)) failInput("its indices are no whole numbers without sign");
+	return loadValue<std::int64_t>(type_, at(row, 0), !hostIsLittleEndian());
 }
 
 } // namespace gpr::app

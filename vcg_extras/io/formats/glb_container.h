@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_IO_FORMATS_GLB_CONTAINER_H
 #define VCG_EXTRAS_IO_FORMATS_GLB_CONTAINER_H
 
+#include "ply_header.h"
+
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -69,7 +71,7 @@ public:
 private:
 	std::string_view bytes_;
 	std::size_t      rowNum_ = 0, stride_ = 0, componentBytes_ = 0;
-	std::int64_t     type_         = 0;
+	PlyType          type_         = PlyType::Float32;
 	int              componentNum_ = 0;
 	bool             isNormalized_ = false;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glb_writer.h"
 
+#include "byte_order.h"
 #include "glb_container.h"
 #include "gltf_materials.h"
 #include "gltf_text.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <tuple>
 
@@ -73,8 +73,7 @@ public:
 	template <class T>
 	void put(T value)
 	{
-		const char* const raw = reinterpret_cast<const char*>(&value);
-		binary.append(raw, sizeof value);
+		appendLittleEndian(value, binary);
 	}
 
 	/// Makes the bytes since `begin` a buffer view; returns the number of the view.
@@ -251,10 +250,8 @@ private:
 	std::int64_t materialOf(std::size_t f) const
 	{
 		if (!a_.texture.image.empty()) return a_.texture.image[f];
-		for (const ValueColumn& column : a_.ofFaces) {
-			if (column.name == "material") return std::int64_t(column.values[f]);
-		}
-		return 0;
+		const ValueColumn* const column = columnNamed(a_.ofFaces, "material");
+		return column != nullptr ? std::int64_t(column->values[f]) : 0;
 	}
 
 	/// A primitive for each material.
@@ -293,14 +290,6 @@ GlbParts partsOfOneMesh()
 	return parts;
 }
 
-void put(std::size_t value, std::string& out)
-{
-	const auto word = std::uint32_t(value);
-	char       bytes[sizeof word];
-	std::memcpy(bytes, &word, sizeof word);
-	out.append(bytes, sizeof word);
-}
-
 /// All but the binary part, which follows. Completes the JSON.
 std::string headOf(GlbParts& parts)
 {
@@ -314,10 +303,10 @@ std::string headOf(GlbParts& parts)
 	std::string head;
 	for (const std::size_t word : {std::size_t(gltf::magic), std::size_t(gltf::version), length,
 								   text.size(), std::size_t(gltf::jsonChunk)})
-		put(word, head);
+		appendLittleEndian(std::uint32_t(word), head);
 	head += text;
-	put(parts.binary.size(), head);
-	put(gltf::binaryChunk, head);
+	appendLittleEndian(std::uint32_t(parts.binary.size()), head);
+	appendLittleEndian(gltf::binaryChunk, head);
 	return head;
 }
 
@@ -334,17 +323,11 @@ GlbParts partsOf(const TriangleMesh& mesh, const MeshAttributes& attributes)
 	return parts;
 }
 
-bool isWritten(const ValueColumn& column)
-{
-	const auto is = [&](const char* name) { return column.name == name; };
-	return is("red") || is("green") || is("blue") || is("alpha") || is("nx") || is("ny") ||
-		   is("nz");
-}
-
 void tellLost(const MeshAttributes& attributes, std::vector<std::string>& lost)
 {
 	for (const ValueColumn& column : attributes.ofVertices) {
-		if (!isWritten(column)) lost.push_back("'" + column.name + "' of vertices");
+		if (!isOneOf(column.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
+			lost.push_back("'" + column.name + "' of vertices");
 	}
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");

@@ -310,9 +310,8 @@ void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttribut
 			  OutputFile& out, std::vector<std::string>& lost)
 {
 	for (const ValueColumn& column : attributes.ofVertices) {
-		const bool isWritten =
-			column.name == "red" || column.name == "green" || column.name == "blue";
-		if (!isWritten) lost.push_back("'" + column.name + "' of vertices");
+		if (!isOneOf(column.name, {"red", "green", "blue"}))
+			lost.push_back("'" + column.name + "' of vertices");
 	}
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (!isWritten(column)) lost.push_back("'" + column.name + "' of faces");

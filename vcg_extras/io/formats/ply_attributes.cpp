@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 
 namespace gpr::app {
@@ -23,50 +22,6 @@ int findScalar(const PlyElement& e, const char* name)
 	return i >= 0 && !e.properties[std::size_t(i)].isList ? i : -1;
 }
 
-/// A record of an element: its scalars by property, and the values of two lists.
-struct Record {
-	std::vector<double>       scalars;
-	std::vector<std::int64_t> corners;
-	std::vector<float>        texture;
-};
-
-/// Which lists of an element are kept; -1: none.
-struct KeptLists {
-	int corners = -1, texture = -1;
-};
-
-template <class Source, class Keep>
-void readList(const PlyProperty& p, Source& source, const Keep& keep)
-{
-	// Value by value: a count beyond the end of the file ends there, before memory does.
-	const std::int64_t num = source.whole(p.countType);
-	for (std::int64_t i = 0; i < num; ++i)
-		keep();
-}
-
-template <class Source>
-void readRecord(const PlyElement& e, const KeptLists& kept, Source& source, Record& record)
-{
-	record.scalars.resize(e.properties.size());
-	record.corners.clear();
-	record.texture.clear();
-	for (std::size_t i = 0; i < e.properties.size(); ++i) {
-		const PlyProperty& p = e.properties[i];
-		if (!p.isList) {
-			record.scalars[i] = source.real(p.type);
-		}
-		else if (int(i) == kept.corners) {
-			readList(p, source, [&] { record.corners.push_back(source.whole(p.type)); });
-		}
-		else if (int(i) == kept.texture) {
-			readList(p, source, [&] { record.texture.push_back(float(source.real(p.type))); });
-		}
-		else {
-			readList(p, source, [&] { source.real(p.type); });
-		}
-	}
-}
-
 /// The columns by which an element's records are marked as selected.
 class SelectionColumns {
 public:
@@ -76,7 +31,7 @@ public:
 	}
 
 	bool exist() const { return flags_ >= 0 || selected_ >= 0; }
-	bool isSelected(const Record& record) const
+	bool isSelected(const PlyRecord& record) const
 	{
 		if (selected_ >= 0 && record.scalars[std::size_t(selected_)] != 0) return true;
 		if (flags_ < 0) return false;
@@ -105,11 +60,6 @@ void checkPresent(const PlyHeader& header, const WantedAttributes& wanted)
 	failInput("its faces have neither the property 'selected' nor 'flags'");
 }
 
-bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
-{
-	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
-}
-
 /// The carried properties of an element, and their columns.
 class CarriedColumns {
 public:
@@ -128,7 +78,7 @@ public:
 	std::vector<ValueColumn> columns;
 
 	bool any() const { return !columns.empty(); }
-	void take(const Record& record)
+	void take(const PlyRecord& record)
 	{
 		for (std::size_t c = 0; c < columns.size(); ++c)
 			columns[c].values.push_back(record.scalars[property_[c]]);
@@ -154,7 +104,7 @@ void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& s
 {
 	const SelectionColumns selection(e);
 	CarriedColumns         carried(e, wanted.carried);
-	Record                 record;
+	PlyRecord              record;
 	for (std::uint64_t v = 0; v < e.count; ++v) {
 		readRecord(e, {}, source, record);
 		if (wanted.ofSelectedVertices() && selection.isSelected(record)) mesh.selected[v] = 1;
@@ -177,7 +127,7 @@ public:
 	void read(const PlyElement& e, Source& source, InputMesh& mesh)
 	{
 		const bool cornersToo = wanted_.selection && !mesh.view().anySelected();
-		Record     record;
+		PlyRecord  record;
 		for (std::uint64_t f = 0; f < e.count; ++f) {
 			readRecord(e, kept_, source, record);
 			order_.add(record.corners.data(), record.corners.size());
@@ -221,7 +171,7 @@ private:
 	std::vector<float>  uv_; ///< two a corner of the file
 	std::vector<double> image_, selected_;
 
-	void takeTexture(const Record& record)
+	void takeTexture(const PlyRecord& record)
 	{
 		std::vector<float> uv = record.texture;
 		uv.resize(2 * record.corners.size(), 0.0f);
@@ -230,7 +180,7 @@ private:
 		image_.push_back(i >= 0 ? record.scalars[std::size_t(i)] : 0);
 	}
 
-	static void selectCorners(const Record& record, InputMesh& mesh)
+	static void selectCorners(const PlyRecord& record, InputMesh& mesh)
 	{
 		for (const std::int64_t v : record.corners) {
 			if (v >= 0 && std::uint64_t(v) < mesh.vertexNum()) mesh.selected[std::size_t(v)] = 1;

@@ -23,22 +23,11 @@ template <class Source, class S>
 void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, Source& source,
 						  S* out)
 {
-	for (std::uint64_t v = 0; v < e.count; ++v, out += 3) {
-		for (int i = 0; i < int(e.properties.size()); ++i) {
-			const PlyProperty& p = e.properties[i];
-			if (i == c.x) {
-				out[0] = S(source.coordinate(p.type));
-			}
-			else if (i == c.y) {
-				out[1] = S(source.coordinate(p.type));
-			}
-			else if (i == c.z) {
-				out[2] = S(source.coordinate(p.type));
-			}
-			else {
-				skipProperty(p, source);
-			}
-		}
+	PlyRecord record;
+	for (std::uint64_t v = 0; v < e.count; ++v) {
+		readRecord(e, {}, source, record);
+		for (const int i : {c.x, c.y, c.z})
+			*out++ = S(Source::coordinate(record.scalars[std::size_t(i)]));
 	}
 }
 
@@ -117,27 +106,6 @@ void readVertices(const PlyElement& e, Source& source, InputMesh& mesh)
 
 // ---- faces
 
-template <class Source>
-void readIndexList(const PlyProperty& list, Source& source, std::vector<std::int64_t>& indices)
-{
-	indices.resize(std::size_t(listLength(list, source)));
-	for (std::int64_t& i : indices)
-		i = source.whole(list.type);
-}
-
-/// Reads the corners of a face or strip.
-template <class Source>
-void readCorners(const PlyElement& e, int indexList, Source& source,
-				 std::vector<std::int64_t>& corners)
-{
-	for (int i = 0; i < int(e.properties.size()); ++i) {
-		if (i == indexList)
-			readIndexList(e.properties[i], source, corners);
-		else
-			skipProperty(e.properties[i], source);
-	}
-}
-
 /// The layout of a triangle's record that can be copied: a one-byte count of 3, three indices of 32
 /// bits, scalars before and after.
 struct TriangleRecord {
@@ -185,24 +153,24 @@ std::uint64_t copyTriangles(const PlyElement&, int, TextSource&, IndexArray&)
 template <class Source>
 void readFaces(const PlyElement& e, Source& source, FaceList& faces)
 {
-	const int                 indexList = findIndexList(e);
-	std::vector<std::int64_t> corners;
+	const int indexList = findIndexList(e);
+	PlyRecord face;
 	// After the first polygon no block is tried again: its memory would be asked for each time.
 	const std::uint64_t copied = copyTriangles(e, indexList, source, faces.triangles);
 	for (std::uint64_t f = copied; f < e.count; ++f) {
-		readCorners(e, indexList, source, corners);
-		faces.add(corners.data(), corners.size());
+		readRecord(e, {indexList}, source, face);
+		faces.add(face.corners.data(), face.corners.size());
 	}
 }
 
 template <class Source>
 void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 {
-	const int                 indexList = findIndexList(e);
-	std::vector<std::int64_t> strip;
+	const int indexList = findIndexList(e);
+	PlyRecord strip;
 	for (std::uint64_t s = 0; s < e.count; ++s) {
-		readCorners(e, indexList, source, strip);
-		faces.addStrip(strip);
+		readRecord(e, {indexList}, source, strip);
+		faces.addStrip(strip.corners);
 	}
 }
 

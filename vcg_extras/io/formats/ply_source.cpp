@@ -52,9 +52,8 @@ double TextSource::real(PlyType)
 	return value;
 }
 
-double TextSource::coordinate(PlyType type)
+double TextSource::coordinate(double value)
 {
-	const double value = real(type);
 	return std::isfinite(value) ? value : std::nan("");
 }
 

@@ -3,36 +3,16 @@
 #ifndef VCG_EXTRAS_IO_FORMATS_PLY_SOURCE_H
 #define VCG_EXTRAS_IO_FORMATS_PLY_SOURCE_H
 
+#include "byte_order.h"
 #include "ply_header.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/text/text_pieces.h>
 
-#include <algorithm>
-#include <cstring>
 #include <string>
 #include <string_view>
 
 namespace gpr::app {
-
-inline bool hostIsLittleEndian()
-{
-	const std::uint16_t one = 1;
-	char                first;
-	std::memcpy(&first, &one, 1);
-	return first == 1;
-}
-
-template <class T>
-T loadAs(const char* at, bool swap)
-{
-	char bytes[sizeof(T)];
-	std::memcpy(bytes, at, sizeof(T));
-	if (swap) std::reverse(bytes, bytes + sizeof(T));
-	T value;
-	std::memcpy(&value, bytes, sizeof(T));
-	return value;
-}
 
 /// A value of a binary file as an S.
 template <class S>
@@ -69,17 +49,12 @@ public:
 	}
 
 	double real(PlyType type) { return loadValue<double>(type, take(plyTypeSize(type)), swap_); }
-	double coordinate(PlyType type) { return real(type); }
 	std::int64_t whole(PlyType type)
 	{
 		return loadValue<std::int64_t>(type, take(plyTypeSize(type)), swap_);
 	}
-	void skip(PlyType type) { take(plyTypeSize(type)); }
-	void skip(PlyType type, std::uint64_t num)
-	{
-		if (num > valuesLeft(type)) failCut();
-		take(std::size_t(num) * plyTypeSize(type));
-	}
+	/// A value as a coordinate.
+	static double coordinate(double value) { return value; }
 
 	std::uint64_t recordsLeft(const PlyElement& e) const
 	{
@@ -124,16 +99,10 @@ public:
 	}
 
 	/// NaN for words such as nan(ind).
-	double real(PlyType type);
-	/// NaN for infinite values, too.
-	double       coordinate(PlyType type);
+	double       real(PlyType type);
 	std::int64_t whole(PlyType type);
-	void         skip(PlyType type) { real(type); }
-	void         skip(PlyType type, std::uint64_t num)
-	{
-		for (std::uint64_t i = 0; i < num; ++i)
-			real(type);
-	}
+	/// NaN for infinite values, too.
+	static double coordinate(double value);
 
 	/// Each value takes a character and a blank, the last value no blank.
 	std::uint64_t recordsLeft(const PlyElement& e) const
@@ -175,14 +144,46 @@ std::uint64_t listLength(const PlyProperty& list, Source& source)
 	return std::uint64_t(num);
 }
 
-template <class Source>
-void skipProperty(const PlyProperty& p, Source& source)
+/// A record of an element: its scalars by property, and the values of two lists.
+struct PlyRecord {
+	std::vector<double>       scalars;
+	std::vector<std::int64_t> corners;
+	std::vector<float>        texture;
+};
+
+/// Which lists of an element are kept; -1: none.
+struct KeptLists {
+	int corners = -1, texture = -1;
+};
+
+template <class Source, class Keep>
+void readList(const PlyProperty& list, Source& source, const Keep& keep)
 {
-	if (p.isList) {
-		source.skip(p.type, listLength(p, source));
-	}
-	else {
-		source.skip(p.type);
+	const std::uint64_t num = listLength(list, source);
+	for (std::uint64_t i = 0; i < num; ++i)
+		keep();
+}
+
+template <class Source>
+void readRecord(const PlyElement& e, const KeptLists& kept, Source& source, PlyRecord& record)
+{
+	record.scalars.resize(e.properties.size());
+	record.corners.clear();
+	record.texture.clear();
+	for (std::size_t i = 0; i < e.properties.size(); ++i) {
+		const PlyProperty& p = e.properties[i];
+		if (!p.isList) {
+			record.scalars[i] = source.real(p.type);
+		}
+		else if (int(i) == kept.corners) {
+			readList(p, source, [&] { record.corners.push_back(source.whole(p.type)); });
+		}
+		else if (int(i) == kept.texture) {
+			readList(p, source, [&] { record.texture.push_back(float(source.real(p.type))); });
+		}
+		else {
+			readList(p, source, [&] { source.real(p.type); });
+		}
 	}
 }
 
@@ -204,10 +205,9 @@ template <class Source>
 void skipElement(const PlyElement& element, Source& source)
 {
 	if (skipRecords(element, source)) return;
-	for (std::uint64_t i = 0; i < element.count; ++i) {
-		for (const PlyProperty& p : element.properties)
-			skipProperty(p, source);
-	}
+	PlyRecord unused;
+	for (std::uint64_t i = 0; i < element.count; ++i)
+		readRecord(element, {}, source, unused);
 }
 
 /// Calls visit(source) for the source of a file's body.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "soup_writer.h"
 
-#include "little_endian.h"
+#include "byte_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "byte_order.h"
 #include "soup_reader.h"
 #include "stl_facets.h"
 
@@ -128,9 +129,7 @@ private:
 
 std::uint64_t promisedStlBytes(std::string_view begin)
 {
-	std::uint64_t faceNum = 0;
-	for (std::size_t i = 4; i-- > 0;)
-		faceNum = faceNum << 8 | std::uint8_t(begin[stlHeaderBytes + i]);
+	const std::uint64_t faceNum = loadLittleEndian<std::uint32_t>(&begin[stlHeaderBytes]);
 	return stlFacetsAt + stlFacetBytes * faceNum;
 }
 

@@ -15,11 +15,8 @@ namespace {
 
 bool isColour(const ValueColumn& column)
 {
-	for (const char* name : {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green",
-							 "diffuse_blue", "ambient_red", "ambient_green", "ambient_blue"}) {
-		if (column.name == name) return true;
-	}
-	return false;
+	return isOneOf(column.name, {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green",
+								 "diffuse_blue", "ambient_red", "ambient_green", "ambient_blue"});
 }
 
 bool isReal(PlyType type)
@@ -81,19 +78,11 @@ double valueAt(const ValueColumn& column, bool isNearest, const MeshView& mesh,
 	return isReal(column.type) ? mean : std::floor(mean + 0.5);
 }
 
-ValueColumn* find(std::vector<ValueColumn>& columns, const char* name)
-{
-	for (ValueColumn& column : columns) {
-		if (column.name == name) return &column;
-	}
-	return nullptr;
-}
-
 /// Means of unit vectors are shorter.
 void normalizeNormals(std::vector<ValueColumn>& columns)
 {
-	const std::array<ValueColumn*, 3> n = {find(columns, "nx"), find(columns, "ny"),
-										   find(columns, "nz")};
+	const std::array<ValueColumn*, 3> n = {columnNamed(columns, "nx"), columnNamed(columns, "ny"),
+										   columnNamed(columns, "nz")};
 	if (!n[0] || !n[1] || !n[2]) return;
 	for (std::size_t v = 0; v < n[0]->values.size(); ++v) {
 		double squared = 0;
@@ -103,11 +92,6 @@ void normalizeNormals(std::vector<ValueColumn>& columns)
 		for (ValueColumn* c : n)
 			c->values[v] /= std::sqrt(squared);
 	}
-}
-
-bool isNormal(const ValueColumn& column)
-{
-	return column.name == "nx" || column.name == "ny" || column.name == "nz";
 }
 
 } // namespace
@@ -144,7 +128,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 	}
 	normalizeNormals(carried.ofVertices);
 	for (ValueColumn& column : source.ofFaces) {
-		if (isNormal(column)) {
+		if (isOneOf(column.name, {"nx", "ny", "nz"})) {
 			if (column.name == "nx") carried.lost.push_back("normals of faces");
 			continue;
 		}

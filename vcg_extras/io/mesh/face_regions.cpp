@@ -53,14 +53,13 @@ FaceRegions combined(const std::vector<FaceRegions>& all)
 
 FaceRegions regionsNamed(const MeshAttributes& attributes, const std::string& name)
 {
-	for (const ValueColumn& column : attributes.ofFaces) {
-		if (column.name != name) continue;
-		if (!areLabels(column))
-			failInput("the values '" + name +
-					  "' of its faces are no whole numbers, so they are no labels of regions");
-		return regionsIn(column);
-	}
-	failInput("its faces have no property '" + name + "' with labels of regions");
+	const ValueColumn* const column = columnNamed(attributes.ofFaces, name);
+	if (column == nullptr)
+		failInput("its faces have no property '" + name + "' with labels of regions");
+	if (!areLabels(*column))
+		failInput("the values '" + name +
+				  "' of its faces are no whole numbers, so they are no labels of regions");
+	return regionsIn(*column);
 }
 
 } // namespace

@@ -4,16 +4,11 @@
 
 #include "polygon.h"
 
-#include <algorithm>
-
 namespace gpr::app {
 
-const ValueColumn* MeshAttributes::ofVertex(const std::string& name) const
+bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 {
-	for (const ValueColumn& column : ofVertices) {
-		if (column.name == name) return &column;
-	}
-	return nullptr;
+	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 
 namespace {

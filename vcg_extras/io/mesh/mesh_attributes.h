@@ -6,8 +6,10 @@
 #include <vcg_extras/core/texture_transfer.h>
 #include <vcg_extras/io/formats/ply_header.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +27,18 @@ struct ValueColumn {
 	std::vector<std::string> names = {};
 };
 
+/// The column with this name, or null.
+template <class Columns>
+auto* columnNamed(Columns& columns, const std::string& name)
+{
+	const auto found = std::find_if(columns.begin(), columns.end(),
+									[&](const ValueColumn& column) { return column.name == name; });
+	return found != columns.end() ? &*found : nullptr;
+}
+
+/// Whether a name of a column is one of these names.
+bool isOneOf(const std::string& name, std::initializer_list<const char*> names);
+
 /// All data of a mesh file beside positions and triangles.
 struct MeshAttributes {
 	std::vector<ValueColumn> ofVertices;
@@ -41,7 +55,10 @@ struct MeshAttributes {
 	/// Whether the faces of a result need their places on the input.
 	bool ofFacesToo() const { return !ofFaces.empty() || hasTexture(); }
 	/// The column of the vertices with this name, or null.
-	const ValueColumn* ofVertex(const std::string& name) const;
+	const ValueColumn* ofVertex(const std::string& name) const
+	{
+		return columnNamed(ofVertices, name);
+	}
 };
 
 /// The texture coordinates of vertices, as coordinates of the corners of the triangles; empty

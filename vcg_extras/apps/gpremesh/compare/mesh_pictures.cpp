@@ -26,7 +26,7 @@ constexpr double secondsAllowed = 600;
 /// Tangent of half the view angle.
 double viewSlope()
 {
-	return std::tan(0.5 * viewAngleDeg * 3.14159265358979323846 / 180);
+	return std::tan(0.5 * viewAngleDeg * pi / 180);
 }
 
 /// The three axes of the camera: to the right, up, and from the focus to the camera.
@@ -45,11 +45,6 @@ struct Axes {
 		return std::max(std::abs(dot(p, right)), std::abs(dot(p, up)));
 	}
 };
-
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 /// Calls visit(position) for the finite corners of all faces.
 template <class Visit>

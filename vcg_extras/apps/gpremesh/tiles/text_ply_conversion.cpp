@@ -89,8 +89,8 @@ private:
 	{
 		const bool isCoordinate =
 			e == text_.vertexElement && (p.name == "x" || p.name == "y" || p.name == "z");
-		appendValue(p.type, isCoordinate ? source_.coordinate(p.type) : source_.real(p.type),
-					record_);
+		const double value = source_.real(p.type);
+		appendValue(p.type, isCoordinate ? TextSource::coordinate(value) : value, record_);
 	}
 
 	std::uint64_t copyLength(const PlyProperty& list)
