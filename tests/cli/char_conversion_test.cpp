@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Our conversions of numbers for libraries without std::to_chars of reals, compared with a library
 // that has std::to_chars.
-#include <vcg_extras/io/text/char_conversion.h>
+#include <vcg_extras/io/text/number_text.h>
 
 #include <cmath>
 #include <cstdint>

@@ -5,9 +5,8 @@
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/formats/glb_container.h>
-#include <vcg_extras/io/formats/glb_reader.h>
-#include <vcg_extras/io/formats/glb_writer.h>
-#include <vcg_extras/io/formats/gltf_materials.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <algorithm>
 #include <cmath>

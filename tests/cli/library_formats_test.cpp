@@ -5,8 +5,7 @@
 #include "program_runner.h"
 
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/formats/gltf_text.h>
-#include <vcg_extras/io/formats/three_mf.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>

@@ -4,8 +4,7 @@
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/formats/ply_attributes.h>
-#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 
 #include <cstdint>

@@ -8,9 +8,7 @@
 #include "pipeline.h"
 #include "reader_check.h"
 
-#include <vcg_extras/io/formats/glb_reader.h>
-#include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/soup_reader.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,7 @@
 
 #include "reader_check.h"
 
-#include <vcg_extras/io/formats/glb_reader.h>
-#include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/soup_reader.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 
 #include <cstdio>
 #include <cstdlib>

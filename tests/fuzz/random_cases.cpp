@@ -12,9 +12,7 @@
 #include "reader_check.h"
 
 #include <tests/support/random_source.h>
-#include <vcg_extras/io/formats/glb_reader.h>
-#include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/soup_reader.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 
 #include <algorithm>
 #include <chrono>

@@ -9,7 +9,7 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>

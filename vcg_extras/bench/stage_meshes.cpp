@@ -4,7 +4,7 @@
 #include "staged_run.h"
 
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
-#include <vcg_extras/io/formats/soup_writer.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>

@@ -5,16 +5,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/formats/glb_reader.h>
-#include <vcg_extras/io/formats/glb_writer.h>
-#include <vcg_extras/io/formats/gltf_text.h>
-#include <vcg_extras/io/formats/obj_attributes.h>
-#include <vcg_extras/io/formats/ply_attributes.h>
-#include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/ply_writer.h>
-#include <vcg_extras/io/formats/soup_reader.h>
-#include <vcg_extras/io/formats/soup_writer.h>
-#include <vcg_extras/io/formats/three_mf.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/text/text_lines.h>
 
 #include <filesystem>

@@ -14,30 +14,6 @@ namespace {
 using app::PlyType;
 using app::ValueColumn;
 
-/// Calls visit() with a value of the type.
-template <class Visit>
-void withType(PlyType type, const Visit& visit)
-{
-	switch (type) {
-	case PlyType::Int8:
-		return visit(std::int8_t());
-	case PlyType::UInt8:
-		return visit(std::uint8_t());
-	case PlyType::Int16:
-		return visit(std::int16_t());
-	case PlyType::UInt16:
-		return visit(std::uint16_t());
-	case PlyType::Int32:
-		return visit(std::int32_t());
-	case PlyType::UInt32:
-		return visit(std::uint32_t());
-	case PlyType::Float32:
-		return visit(float());
-	case PlyType::Float64:
-		return visit(double());
-	}
-}
-
 constexpr PlyType allTypes[] = {PlyType::Int8,    PlyType::UInt8,  PlyType::Int16,
 								PlyType::UInt16,  PlyType::Int32,  PlyType::UInt32,
 								PlyType::Float32, PlyType::Float64};

@@ -3,7 +3,6 @@
 #include "parameter_values.h"
 
 #include <vcg_extras/io/options/given_options.h>
-#include <vcg_extras/io/report/range_text.h>
 
 #include <algorithm>
 #include <nanobind/stl/string.h>

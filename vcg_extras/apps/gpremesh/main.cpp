@@ -2,12 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpremesh: geodesic Poisson-disk remeshing on the command line.
 #include <vcg_extras/apps/gpremesh/commands/command_parser.h>
-#include <vcg_extras/apps/gpremesh/commands/features_command.h>
-#include <vcg_extras/apps/gpremesh/commands/info_command.h>
+#include <vcg_extras/apps/gpremesh/commands/commands.h>
 #include <vcg_extras/apps/gpremesh/commands/program_run.h>
-#include <vcg_extras/apps/gpremesh/commands/remesh_command.h>
-#include <vcg_extras/apps/gpremesh/compare/compare_command.h>
-#include <vcg_extras/apps/gpremesh/tiles/tile_run.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/base/stopwatch.h>
 

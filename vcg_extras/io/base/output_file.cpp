@@ -5,7 +5,7 @@
 #include "exit_code.h"
 #include "platform.h"
 
-#include <vcg_extras/io/text/char_conversion.h>
+#include <vcg_extras/io/text/number_text.h>
 
 #include <cerrno>
 #include <cstring>

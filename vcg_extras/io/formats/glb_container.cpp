@@ -87,7 +87,8 @@ double largestOf(PlyType type)
 
 GlbChunks glbChunksOf(std::string_view file)
 {
-	if (file.size() < gltf::headerBytes || loadLittleEndian<std::uint32_t>(file.data()) != gltf::magic)
+	if (file.size() < gltf::headerBytes ||
+		loadLittleEndian<std::uint32_t>(file.data()) != gltf::magic)
 		failInput("the file is no binary glTF file");
 	if (loadLittleEndian<std::uint32_t>(file.data() + 4) != gltf::version)
 		failInput("the file has another version of glTF than 2.0");

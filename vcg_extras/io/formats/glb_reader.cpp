@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glb_reader.h"
-
 #include "glb_container.h"
-#include "gltf_materials.h"
+#include "mesh_formats.h"
 
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 #include <vcg_extras/io/mesh/precision.h>
 
 #include <algorithm>

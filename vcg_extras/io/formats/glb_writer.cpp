@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glb_writer.h"
-
 #include "byte_order.h"
 #include "glb_container.h"
-#include "gltf_materials.h"
-#include "gltf_text.h"
+#include "mesh_formats.h"
 
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <algorithm>
 #include <array>

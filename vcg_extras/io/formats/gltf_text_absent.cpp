@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gltf_text.h"
+#include "mesh_formats.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 

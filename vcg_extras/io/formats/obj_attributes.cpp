@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "obj_attributes.h"
-
+#include "mesh_formats.h"
 #include "obj_lines.h"
 
-#include <vcg_extras/io/text/char_conversion.h>
 #include <vcg_extras/io/text/number_text.h>
 
 #include <algorithm>

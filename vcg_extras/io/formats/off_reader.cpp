@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_formats.h"
 #include "off_lines.h"
-#include "soup_reader.h"
 
 #include <vcg_extras/io/mesh/face_list.h>
 #include <vcg_extras/io/mesh/precision.h>

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ply_attributes.h"
-
+#include "mesh_formats.h"
 #include "ply_layout.h"
 #include "ply_source.h"
 
@@ -45,19 +44,15 @@ private:
 
 void checkPresent(const PlyHeader& header, const WantedAttributes& wanted)
 {
-	bool selection = false;
-	for (const PlyElement& e : header.elements) {
-		if (e.name == "vertex" || e.name == "face")
-			selection = selection || SelectionColumns(e).exist();
-	}
-	if (wanted.selection && !selection) {
+	const auto areMarked = [&](const char* name) {
+		return std::any_of(
+			header.elements.begin(), header.elements.end(),
+			[&](const PlyElement& e) { return e.name == name && SelectionColumns(e).exist(); });
+	};
+	if (wanted.selection && !areMarked("vertex") && !areMarked("face"))
 		failInput("its vertices and faces have neither the property 'selected' nor 'flags'");
-	}
-	if (!wanted.faceSelection) return;
-	for (const PlyElement& e : header.elements) {
-		if (e.name == "face" && SelectionColumns(e).exist()) return;
-	}
-	failInput("its faces have neither the property 'selected' nor 'flags'");
+	if (wanted.faceSelection && !areMarked("face"))
+		failInput("its faces have neither the property 'selected' nor 'flags'");
 }
 
 /// The carried properties of an element, and their columns.

@@ -58,30 +58,33 @@ private:
 	std::size_t      lineNum_   = 0;
 };
 
+/// By PlyFormat.
+constexpr const char* formatNames[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+
 PlyFormat formatOf(const std::vector<std::string>& words)
 {
 	if (words.size() < 2) fail("the format line is incomplete");
-	if (words[1] == "ascii") return PlyFormat::Ascii;
-	if (words[1] == "binary_little_endian") return PlyFormat::LittleEndian;
-	if (words[1] == "binary_big_endian") return PlyFormat::BigEndian;
+	for (const PlyFormat format :
+		 {PlyFormat::Ascii, PlyFormat::LittleEndian, PlyFormat::BigEndian}) {
+		if (words[1] == formatNames[int(format)]) return format;
+	}
 	fail("unknown format");
 }
 
+struct TypeRow {
+	const char *name, *newName;
+	std::size_t bytes;
+};
+
+/// By PlyType.
+constexpr TypeRow types[] = {
+	{"char", "int8", 1}, {"uchar", "uint8", 1}, {"short", "int16", 2},   {"ushort", "uint16", 2},
+	{"int", "int32", 4}, {"uint", "uint32", 4}, {"float", "float32", 4}, {"double", "float64", 8}};
+
 PlyType typeOf(const std::string& word)
 {
-	struct Name {
-		const char* oldName;
-		const char* newName;
-		PlyType     type;
-	};
-	static const Name names[] = {
-		{"char", "int8", PlyType::Int8},        {"uchar", "uint8", PlyType::UInt8},
-		{"short", "int16", PlyType::Int16},     {"ushort", "uint16", PlyType::UInt16},
-		{"int", "int32", PlyType::Int32},       {"uint", "uint32", PlyType::UInt32},
-		{"float", "float32", PlyType::Float32}, {"double", "float64", PlyType::Float64},
-	};
-	for (const Name& n : names) {
-		if (word == n.oldName || word == n.newName) return n.type;
+	for (const TypeRow& row : types) {
+		if (word == row.name || word == row.newName) return PlyType(&row - types);
 	}
 	fail("unknown type of a property");
 }
@@ -120,15 +123,12 @@ PlyProperty propertyOf(const std::vector<std::string>& words)
 
 std::size_t plyTypeSize(PlyType type)
 {
-	static const std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-	return sizes[int(type)];
+	return types[int(type)].bytes;
 }
 
 const char* plyTypeName(PlyType type)
 {
-	static const char* const names[] = {"char", "uchar", "short", "ushort",
-										"int",  "uint",  "float", "double"};
-	return names[int(type)];
+	return types[int(type)].name;
 }
 
 bool isInteger(PlyType type)
@@ -203,9 +203,8 @@ PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count
 
 std::string plyHeaderText(const PlyHeader& header, const std::string& comments)
 {
-	static const char* const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
-	std::string              text =
-		std::string("ply\nformat ") + formats[int(header.format)] + " 1.0\n" + comments;
+	std::string text =
+		std::string("ply\nformat ") + formatNames[int(header.format)] + " 1.0\n" + comments;
 	for (const PlyElement& element : header.elements) {
 		text += "element " + element.name + " " + std::to_string(element.count) + "\n";
 		for (const PlyProperty& p : element.properties) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace gpr::app {
@@ -31,28 +32,42 @@ T wholeOfRange(double value)
 	return value == value ? T(std::clamp(value, least, most)) : T(0);
 }
 
+/// Calls visit() with a value of a type.
+template <class Visit>
+auto withType(PlyType type, const Visit& visit)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return visit(std::int8_t());
+	case PlyType::UInt8:
+		return visit(std::uint8_t());
+	case PlyType::Int16:
+		return visit(std::int16_t());
+	case PlyType::UInt16:
+		return visit(std::uint16_t());
+	case PlyType::Int32:
+		return visit(std::int32_t());
+	case PlyType::UInt32:
+		return visit(std::uint32_t());
+	case PlyType::Float32:
+		return visit(float());
+	case PlyType::Float64:
+		break;
+	}
+	return visit(double());
+}
+
 /// Gives a value to `put` in a type, see wholeOfRange.
 template <class Put>
 void putAs(PlyType type, double value, const Put& put)
 {
-	switch (type) {
-	case PlyType::Int8:
-		return put(wholeOfRange<std::int8_t>(value));
-	case PlyType::UInt8:
-		return put(wholeOfRange<std::uint8_t>(value));
-	case PlyType::Int16:
-		return put(wholeOfRange<std::int16_t>(value));
-	case PlyType::UInt16:
-		return put(wholeOfRange<std::uint16_t>(value));
-	case PlyType::Int32:
-		return put(wholeOfRange<std::int32_t>(value));
-	case PlyType::UInt32:
-		return put(wholeOfRange<std::uint32_t>(value));
-	case PlyType::Float32:
-		return put(float(value));
-	case PlyType::Float64:
-		return put(value);
-	}
+	withType(type, [&](auto zero) {
+		using T = decltype(zero);
+		if constexpr (std::is_integral_v<T>)
+			put(wholeOfRange<T>(value));
+		else
+			put(T(value));
+	});
 }
 
 /// vcglib's bit of a selected vertex or face in the property "flags".

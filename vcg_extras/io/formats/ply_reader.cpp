@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ply_reader.h"
-
+#include "mesh_formats.h"
 #include "ply_layout.h"
 #include "ply_source.h"
 

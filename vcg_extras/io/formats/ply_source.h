@@ -18,25 +18,7 @@ namespace gpr::app {
 template <class S>
 S loadValue(PlyType type, const char* at, bool swap)
 {
-	switch (type) {
-	case PlyType::Int8:
-		return S(loadAs<std::int8_t>(at, swap));
-	case PlyType::UInt8:
-		return S(loadAs<std::uint8_t>(at, swap));
-	case PlyType::Int16:
-		return S(loadAs<std::int16_t>(at, swap));
-	case PlyType::UInt16:
-		return S(loadAs<std::uint16_t>(at, swap));
-	case PlyType::Int32:
-		return S(loadAs<std::int32_t>(at, swap));
-	case PlyType::UInt32:
-		return S(loadAs<std::uint32_t>(at, swap));
-	case PlyType::Float32:
-		return S(loadAs<float>(at, swap));
-	case PlyType::Float64:
-		return S(loadAs<double>(at, swap));
-	}
-	return S(0);
+	return withType(type, [&](auto zero) { return S(loadAs<decltype(zero)>(at, swap)); });
 }
 
 /// The values of a binary file of either byte order, value after value. Never reads beyond the end.

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "soup_writer.h"
-
 #include "byte_order.h"
+#include "mesh_formats.h"
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,13 @@
 
 namespace gpr::app {
 
-struct GltfMaterials;
+/// The materials of a binary glTF file, to be written unchanged: the parts of the JSON text for the
+/// materials, and the bytes of the images in the file.
+struct GltfMaterials {
+	std::string json; ///< an object: materials, textures, images, samplers, names of extensions
+	std::vector<std::string> imageBytes; ///< by the number of the image; empty for another file
+	std::size_t              materialNum = 0;
+};
 
 /// One value for every vertex, or for every face, by its name and type in a PLY file.
 struct ValueColumn {

@@ -3,15 +3,22 @@
 #include "given_options.h"
 
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/report/range_text.h>
 #include <vcg_extras/io/text/number_text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <locale>
 #include <sstream>
 
 namespace gpr::app {
 
 namespace {
+
+/// A size of 0 means "off" in the dialog; elsewhere a missing size is off, and 0 a mistake.
+bool isAboveMinimum(const Parameter& p)
+{
+	return isSizeParameter(p) && p.minimum == 0;
+}
 
 [[noreturn]] void failRange(const Parameter& p, const std::string& kind, const std::string& given)
 {
@@ -70,6 +77,34 @@ ParameterValue parseValue(const Parameter& p, const std::string& given)
 
 } // namespace
 
+std::string plainText(double value)
+{
+	std::ostringstream text;
+	text.imbue(std::locale::classic());
+	text.precision(10);
+	text << value;
+	return text.str();
+}
+
+std::string numberKind(const Parameter& p)
+{
+	return p.isAutomatic ? std::string(automaticName) + " or a number" : "a number";
+}
+
+std::string rangeText(const Parameter& p)
+{
+	const bool  open = isAboveMinimum(p);
+	std::string text = open ? " above 0" : " from " + plainText(p.minimum);
+	if (p.maximum < 1e100) text += (open ? ", at most " : " to ") + plainText(p.maximum);
+	return text;
+}
+
+bool isInRange(const Parameter& p, double value)
+{
+	if (!std::isfinite(value) || (isAboveMinimum(p) && value <= 0)) return false;
+	return value >= p.minimum && value <= p.maximum;
+}
+
 std::string defaultText(const Parameter& p)
 {
 	if (isSizeParameter(p)) return "";
@@ -96,19 +131,8 @@ std::string pythonName(const Parameter& p, Tool tool)
 
 const char* kindName(ParameterKind kind)
 {
-	switch (kind) {
-	case ParameterKind::Count:
-		return "count";
-	case ParameterKind::Number:
-		return "number";
-	case ParameterKind::Length:
-		return "length";
-	case ParameterKind::Switch:
-		return "switch";
-	case ParameterKind::Choice:
-		break;
-	}
-	return "choice";
+	constexpr const char* names[] = {"count", "number", "length", "switch", "choice"};
+	return names[int(kind)];
 }
 
 bool choosesSize(const Parameter& row, const std::string& word)

@@ -14,6 +14,19 @@ namespace gpr::app {
 /// The options of the engine's parameter table given by the user, with values as words.
 using GivenOptions = std::map<const Parameter*, std::string>;
 
+/// A number without trailing zeros.
+std::string plainText(double value);
+
+/// The kind of a row of real numbers: "a number", or "auto or a number".
+std::string numberKind(const Parameter& p);
+
+/// The range of a row of numbers in words; a given size is above 0: " from 0 to 1000", " above 0,
+/// at most 10000".
+std::string rangeText(const Parameter& p);
+
+/// Whether a value lies in this range; false for NaN.
+bool isInRange(const Parameter& p, double value);
+
 /// The default in the spelling of the user; empty for the size, whose default is a share.
 std::string defaultText(const Parameter& p);
 

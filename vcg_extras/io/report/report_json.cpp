@@ -14,26 +14,9 @@ namespace gpr::app {
 
 namespace {
 
-const char* modeName(TargetMode mode)
-{
-	switch (mode) {
-	case TargetMode::VertexNum:
-		return "vertices";
-	case TargetMode::FaceNum:
-		return "faces";
-	case TargetMode::Percent:
-		return "percent";
-	case TargetMode::EdgeLength:
-		return "edgeLength";
-	case TargetMode::MaxError:
-		return "maxError";
-	case TargetMode::Sizes:
-		return "sizes";
-	case TargetMode::Detail:
-		return "detail";
-	}
-	return "";
-}
+/// By TargetMode.
+constexpr const char* modeNames[] = {"vertices", "faces", "percent", "edgeLength",
+									 "maxError", "sizes", "detail"};
 
 /// The name of a value on the command line; options.h and the table have the same order.
 template <class Value>
@@ -57,7 +40,7 @@ Json featuresJson(const RemeshOptions& o)
 /// The options in force; of the sizes only the used size.
 Json optionsJson(const RemeshOptions& o)
 {
-	Json json = {{"target", modeName(o.targetMode)}};
+	Json json = {{"target", modeNames[int(o.targetMode)]}};
 	switch (o.targetMode) {
 	case TargetMode::VertexNum:
 		json["vertices"] = o.targetVertexNum;

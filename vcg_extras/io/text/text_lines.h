@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_IO_TEXT_TEXT_LINES_H
 #define VCG_EXTRAS_IO_TEXT_TEXT_LINES_H
 
-#include "char_conversion.h"
+#include "number_text.h"
 
 #include <vcg_extras/core/base/workers.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include "remesh_command.h"
+#include "commands.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/mesh_io.h>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "features_command.h"
+#include "commands.h"
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/features_report.h>
 #include <vcg_extras/io/report/remesh_outcome.h>

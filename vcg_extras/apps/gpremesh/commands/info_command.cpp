@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "info_command.h"
+#include "commands.h"
 
 #include <vcg_extras/apps/gpremesh/report/summary.h>
 #include <vcg_extras/core/mesh/measure.h>

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program_run.h"
 
-#include "remesh_command.h"
+#include "commands.h"
 
-#include <vcg_extras/apps/gpremesh/tiles/tile_run.h>
 #include <vcg_extras/io/base/exit_code.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "remesh_command.h"
+#include "commands.h"
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
@@ -11,7 +11,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/formats/glb_writer.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh/joined_pieces.h>
 #include <vcg_extras/io/mesh/mesh_source.h>
 #include <vcg_extras/io/mesh_io.h>

@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare_command.h"
-
-#include "compare_json.h"
 #include "compare_methods.h"
-#include "compare_page.h"
-#include "compare_table.h"
-#include "compare_viewer.h"
+#include "compare_output.h"
 
+#include <vcg_extras/apps/gpremesh/commands/commands.h>
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/io/base/exit_code.h>

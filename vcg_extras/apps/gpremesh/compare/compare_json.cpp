@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare_json.h"
+#include "compare_output.h"
 
 #include <vcg_extras/io/report/json_parts.h>
 

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare_page.h"
-
-#include "compare_table.h"
+#include "compare_output.h"
 
 #include <vcg_extras/io/report/formatted_text.h>
 #include <vcg_extras/viewer/base64.h>

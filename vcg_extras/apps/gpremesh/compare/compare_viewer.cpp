@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "compare_viewer.h"
-
+#include "compare_output.h"
 #include "embedded_viewer.h"
 
 #include <vcg_extras/viewer/base64.h>

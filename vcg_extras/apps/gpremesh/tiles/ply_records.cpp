@@ -79,14 +79,7 @@ void swapBytes(char* at, std::size_t each, std::size_t num)
 
 void appendWhole(PlyType type, std::int64_t value, std::string& out)
 {
-	switch (plyTypeSize(type)) {
-	case 1:
-		return append(std::uint8_t(value), out);
-	case 2:
-		return append(std::uint16_t(value), out);
-	default:
-		return append(std::uint32_t(value), out);
-	}
+	withType(type, [&](auto zero) { append(decltype(zero)(value), out); });
 }
 
 } // namespace

@@ -221,8 +221,8 @@ TilePlan makePlan(const RemeshOptions& options, const TileSettings& settings)
 	const std::uint64_t all = plan.allVertices();
 	if (all > mostVertices) failInput("the inputs have more than 4,294,967,294 vertices.");
 	requireMemoryFor(resultVertexNum(plan.options, double(all)), plan.memoryBytes);
-	const int wanted =
-		settings.tileNum > 0 ? settings.tileNum : tilesFor(double(plan.allFaces()), plan.memoryBytes);
+	const int          wanted = settings.tileNum > 0 ? settings.tileNum
+													 : tilesFor(double(plan.allFaces()), plan.memoryBytes);
 	std::vector<Vec3d> points = samplePositions(plan.inputs, layouts, all);
 	if (points.empty()) failInput("the inputs have no vertices.");
 	plan.cells = CellTree(points, wanted);

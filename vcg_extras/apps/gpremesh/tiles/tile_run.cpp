@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tile_run.h"
-
 #include "input_conversion.h"
 #include "tile_join.h"
 
-#include <vcg_extras/apps/gpremesh/commands/remesh_command.h>
+#include <vcg_extras/apps/gpremesh/commands/commands.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/run_estimate.h>
@@ -246,7 +244,7 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);
 	CommandLine     whole = line;
 	whole.tiles.inputs    = {line.input};
-	const bool isSplit      = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
+	const bool isSplit    = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
 	TilePlan   plan;
 	{
 		ProgressBar bar(!line.quiet && errorIsTerminal());

@@ -256,9 +256,9 @@ private:
 				 (1 - shareOfVertices - shareOfFaces) * double(plan_.tileNum() - tile) /
 					 plan_.tileNum(),
 			 "Writing tiles");
-		VertexPool        own      = ownVertices(tile);
-		VertexPool        borrowed = borrowedVertices(tile);
-		std::vector<char> faces    = spills_[Faces].take(tile);
+		VertexPool        own                   = ownVertices(tile);
+		VertexPool        borrowed              = borrowedVertices(tile);
+		std::vector<char> faces                 = spills_[Faces].take(tile);
 		facts_.tiles[std::size_t(tile)].faceNum = markUsed(faces, own);
 		lend(tile, own);
 		write(tile, own, borrowed, faces);
@@ -409,8 +409,11 @@ private:
 
 Json jsonOf(const SplitFacts::Tile& tile)
 {
-	return {{"vertices", tile.vertexNum}, {"faces", tile.faceNum},
-			{"area", tile.area}, {"mesh", jsonOf(tile.mesh)}, {"names", jsonOf(tile.names)}};
+	return {{"vertices", tile.vertexNum},
+			{"faces", tile.faceNum},
+			{"area", tile.area},
+			{"mesh", jsonOf(tile.mesh)},
+			{"names", jsonOf(tile.names)}};
 }
 
 SplitFacts factsOf(const Json& record)

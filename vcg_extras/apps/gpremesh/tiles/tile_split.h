@@ -38,8 +38,8 @@ SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& 
 
 /// The names of the vertices of a tile or part, in a file beside its mesh.
 std::vector<SharedName> readNames(const std::string& path);
-FileStamp writeNames(const std::vector<SharedName>& names, const std::string& path,
-					 const RunLimit& limit);
+FileStamp               writeNames(const std::vector<SharedName>& names, const std::string& path,
+								   const RunLimit& limit);
 
 /// Throws AppError (Usage) if the split was not done.
 SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder);
