@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_call.h"
 
-#include <vcg_extras/apps/gpremesh/commands/program_run.h>
+#include <vcg_extras/apps/gpremesh/commands/commands.h>
 #include <vcg_extras/io/base/platform.h>
 
 namespace nb = nanobind;

@@ -3,7 +3,6 @@
 // gpremesh: geodesic Poisson-disk remeshing on the command line.
 #include <vcg_extras/apps/gpremesh/commands/command_parser.h>
 #include <vcg_extras/apps/gpremesh/commands/commands.h>
-#include <vcg_extras/apps/gpremesh/commands/program_run.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/base/stopwatch.h>
 

@@ -7,12 +7,21 @@
 
 #include <vcg_extras/io/base/stopwatch.h>
 
+#include <functional>
+
 // The commands of the program. Each throws AppError, and writes its files only after success.
 // programClock runs since the program's start.
 
 namespace gpr::app {
 
-/// gpremesh remesh: reads IN, remeshes, writes OUT and the report, prints the summary.
+/// Runs the work of a program. Prints a failure as a sentence on standard error. Returns the exit
+/// code; a full disk behind standard output is a failure.
+int exitCodeOfRun(const std::function<void()>& work);
+
+/// gpremesh remesh, in tiles if the memory is too small for the whole.
+void runRemeshCommand(const CommandLine& line, const Stopwatch& programClock);
+
+/// A remeshing of the whole: reads IN, remeshes, writes OUT and the report, prints the summary.
 void runRemesh(const CommandLine& line, const Stopwatch& programClock);
 
 /// Throws AppError (Failure) if OUT or the report cannot be written. For a call before long work.

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "program_run.h"
-
 #include "commands.h"
 
 #include <vcg_extras/io/base/exit_code.h>

@@ -92,10 +92,7 @@ void runCompare(const CommandLine& line)
 	catchStopSignals();
 	const InputMesh input = readUnlessStopped(line);
 	ProgressBar     bar(errorIsTerminal());
-	CompareRecord   record =
-		compareMethods(input, {line.options, line.runNum, line.isotropic}, progressOn(bar));
-	record.inputPath   = line.input;
-	record.optionsText = line.optionsText;
+	CompareRecord   record = compareMethods(input, line, progressOn(bar));
 	if (!line.optionsText.empty())
 		record.notes.push_back("gpremesh was run with " + line.optionsText + ".");
 	if (!line.htmlFolder.empty()) writePage(line.htmlFolder, input, record, bar);

@@ -18,11 +18,11 @@ namespace {
 
 /// The data shared by all methods.
 struct Comparison {
-	const InputMesh&     input;
-	const CompareWishes& wishes;
-	CompareRecord        record;
-	std::int64_t         faceNum = 0; ///< of the default path's result
-	double               edgeLen = 0; ///< mean edge of the same result
+	const InputMesh&   input;
+	const CommandLine& line;
+	CompareRecord      record;
+	std::int64_t       faceNum = 0; ///< of the default path's result
+	double             edgeLen = 0; ///< mean edge of the same result
 };
 
 struct Method {
@@ -47,7 +47,7 @@ BaselineResult runEngine(const Comparison& c, const RemeshOptions& options, Reme
 BaselineResult runDefault(Comparison& c)
 {
 	RemeshResult   result;
-	BaselineResult out = runEngine(c, c.wishes.options, result);
+	BaselineResult out = runEngine(c, c.line.options, result);
 	requireMesh(result);
 	c.faceNum             = std::int64_t(out.mesh.faceNum());
 	c.edgeLen             = result.report.quality.meanEdgeLen;
@@ -58,7 +58,7 @@ BaselineResult runDefault(Comparison& c)
 
 BaselineResult runPaper(Comparison& c)
 {
-	RemeshOptions options = c.wishes.options;
+	RemeshOptions options = c.line.options;
 	options.preset        = Preset::Paper;
 	RemeshResult result;
 	return runEngine(c, options, result);
@@ -74,13 +74,13 @@ BaselineResult runIsotropic(Comparison& c)
 	return remeshIsotropically(c.input.view(), c.edgeLen);
 }
 
-std::vector<Method> chosenMethods(const CompareWishes& wishes)
+std::vector<Method> chosenMethods(const CommandLine& line)
 {
 	std::vector<Method> methods = {{"default", "gpremesh", "gpremesh", runDefault}};
-	if (!isPaper(wishes.options))
+	if (!isPaper(line.options))
 		methods.push_back({"paper", "gpremesh, preset paper", "paper", runPaper});
 	methods.push_back({"quadricEdgeCollapse", "Quadric Edge Collapse", "QEC", runQuadric});
-	if (wishes.isotropic) {
+	if (line.isotropic) {
 		methods.push_back({"isotropicRemeshing", "isotropic remeshing", "isotropic", runIsotropic});
 	}
 	return methods;
@@ -145,13 +145,13 @@ double median(std::vector<double> values)
 	return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes,
+CompareRecord compareMethods(const InputMesh& input, const CommandLine& line,
 							 const CompareProgress& progress)
 {
-	Comparison                comparison = {input, wishes, {}};
-	const std::vector<Method> methods    = chosenMethods(wishes);
+	Comparison                comparison = {input, line, {}};
+	const std::vector<Method> methods    = chosenMethods(line);
 	CompareRecord&            record     = comparison.record;
-	const double              stepNum    = double(methods.size()) * (wishes.runNum + 1) + 1;
+	const double              stepNum    = double(methods.size()) * (line.runNum + 1) + 1;
 	double                    done       = 0;
 	for (const Method& m : methods) {
 		record.methods.emplace_back();
@@ -159,17 +159,19 @@ CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes
 		record.methods.back().name   = m.name;
 		record.methods.back().column = m.column;
 	}
-	for (int run = 0; run < wishes.runNum; ++run) {
+	for (int run = 0; run < line.runNum; ++run) {
 		for (std::size_t i = 0; i < methods.size(); ++i) {
 			progress(done++ / stepNum, methods[i].name);
 			runOnce(methods[i], comparison, record.methods[i]);
 		}
 	}
 	progress(done++ / stepNum, "measuring the input");
-	Workers workers(wishes.options.threads, nullptr);
+	Workers workers(line.options.threads, nullptr);
+	record.inputPath   = line.input;
 	record.inputDouble = input.doublePrecision;
-	record.options     = wishes.options;
-	record.runNum      = wishes.runNum;
+	record.options     = line.options;
+	record.optionsText = line.optionsText;
+	record.runNum      = line.runNum;
 	record.notes       = input.notes;
 	record.input       = recordOf(input.view(), workers);
 	const MeasuredSurface target(input.view(), workers);

@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_OUTPUT_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_OUTPUT_H
 
-#include "compare_record.h"
+#include "compare_methods.h"
 #include "mesh_pictures.h"
 
 // A comparison as text, as JSON and as a page.

@@ -27,6 +27,14 @@ PartFacts makePart(const TilePlan& plan, const SplitFacts& split, int tile, cons
 /// Null if the part is missing.
 std::optional<PartFacts> readPart(const TilePlan& plan, int tile, const RunFolder& folder);
 
+/// Joins the parts to a PLY file, part after part; a vertex of several parts takes its place in the
+/// first of these parts. Does nothing if done before. Throws AppError: (Usage) for a missing part,
+/// (BadInput) if a file is damaged or the parts have different properties, (Failure) for a full
+/// disk. Memory: some 50 B per shared vertex, and 4 B per vertex of the largest part. Cost: two
+/// passes over the parts.
+void joinParts(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
+			   const ProgressCallback& progress);
+
 /// Vertices of the result, from the options and the area of the input.
 double resultVertexNum(const TilePlan& plan, const SplitFacts& split);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_conversion.h"
-#include "tile_join.h"
+#include "tile_part.h"
 
 #include <vcg_extras/apps/gpremesh/commands/commands.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
