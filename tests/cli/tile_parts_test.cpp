@@ -181,11 +181,10 @@ TEST(PlyRecordLayouts, RefuseWhatCannotBeReadInPieces)
 	const PlyRecordLayout layout = readRecordLayout(path);
 	PlyRecordReader       reader(path, layout);
 	FaceRecord            face;
-	reader.toVertices();
-	const auto readAll = [&] {
-		reader.skipVertices();
-		for (int f = 0; f < 50; ++f)
-			reader.nextFace(face);
+	const auto            readAll = [&] {
+        reader.toFaces();
+        for (int f = 0; f < 50; ++f)
+            reader.nextFace(face);
 	};
 	EXPECT_THROW(readAll(), AppError);
 }

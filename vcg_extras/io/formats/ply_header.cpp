@@ -59,14 +59,14 @@ private:
 };
 
 /// By PlyFormat.
-constexpr const char* formatNames[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+constexpr const char* formatWords[] = {"ascii", "binary_little_endian", "binary_big_endian"};
 
 PlyFormat formatOf(const std::vector<std::string>& words)
 {
 	if (words.size() < 2) fail("the format line is incomplete");
 	for (const PlyFormat format :
 		 {PlyFormat::Ascii, PlyFormat::LittleEndian, PlyFormat::BigEndian}) {
-		if (words[1] == formatNames[int(format)]) return format;
+		if (words[1] == formatWords[int(format)]) return format;
 	}
 	fail("unknown format");
 }
@@ -204,7 +204,7 @@ PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count
 std::string plyHeaderText(const PlyHeader& header, const std::string& comments)
 {
 	std::string text =
-		std::string("ply\nformat ") + formatNames[int(header.format)] + " 1.0\n" + comments;
+		std::string("ply\nformat ") + formatWords[int(header.format)] + " 1.0\n" + comments;
 	for (const PlyElement& element : header.elements) {
 		text += "element " + element.name + " " + std::to_string(element.count) + "\n";
 		for (const PlyProperty& p : element.properties) {

@@ -6,6 +6,7 @@
 #include <vcg_extras/viewer/base64.h>
 
 #include <filesystem>
+#include <map>
 
 namespace gpr::app {
 
@@ -26,18 +27,12 @@ figcaption { color: #555 }
 
 std::string escaped(const std::string& text)
 {
+	static const std::map<char, std::string> names = {
+		{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
 	std::string out;
 	for (const char c : text) {
-		if (c == '&')
-			out += "&amp;";
-		else if (c == '<')
-			out += "&lt;";
-		else if (c == '>')
-			out += "&gt;";
-		else if (c == '"')
-			out += "&quot;";
-		else
-			out += c;
+		const auto name = names.find(c);
+		out += name != names.end() ? name->second : std::string(1, c);
 	}
 	return out;
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace gpr::app {
 
@@ -138,36 +139,19 @@ MeshPictures MeshPhotographer::take(const MeshView& mesh)
 
 std::string MeshPhotographer::picture(const std::string& meshPath, const Camera& camera, bool edges)
 {
-	const std::string        path  = folder_ + "/picture.png";
-	const std::string        size  = formatted("%.0f,%.0f", pixels, pixels);
-	const std::string        angle = formatted("%.0f", viewAngleDeg);
+	const std::string  path = folder_ + "/picture.png";
+	std::istringstream options(
+		formatted("f3d --dry-run --quiet --resolution %.0f,%.0f --color 0.8,0.88,1 --roughness 0.8 "
+				  "--bg-color 1,1,1 --camera-view-up 0,1,0 --camera-view-angle %.0f ",
+				  pixels, pixels, viewAngleDeg) +
+		"--camera-position " + triple(camera.position) + " --camera-focal-point " +
+		triple(camera.focus));
 	std::vector<std::string> words;
-	if (hasProgram("xvfb-run")) {
+	if (hasProgram("xvfb-run"))
 		words = {"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -nolisten tcp"};
-	}
-	const std::vector<std::string> f3d = {"f3d",
-										  "--dry-run",
-										  "--quiet",
-										  "--output",
-										  path,
-										  "--resolution",
-										  size,
-										  "--color",
-										  "0.8,0.88,1",
-										  "--roughness",
-										  "0.8",
-										  "--bg-color",
-										  "1,1,1",
-										  "--camera-view-up",
-										  "0,1,0",
-										  "--camera-view-angle",
-										  angle,
-										  "--camera-position",
-										  triple(camera.position),
-										  "--camera-focal-point",
-										  triple(camera.focus),
-										  meshPath};
-	words.insert(words.end(), f3d.begin(), f3d.end());
+	for (std::string word; options >> word;)
+		words.push_back(word);
+	words.insert(words.end(), {"--output", path, meshPath});
 	if (edges) words.push_back("--edges");
 	std::error_code error;
 	std::filesystem::remove(path, error);

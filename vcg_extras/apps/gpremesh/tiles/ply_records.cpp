@@ -167,53 +167,27 @@ void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::stri
 PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
 								 std::size_t bufferBytes) :
 		path_(path),
-		fileBytes_(fileBytesOf(path)), layout_(layout), file_(std::fopen(path.c_str(), "rb")),
-		buffer_(bufferBytes)
+		fileBytes_(fileBytesOf(path)), layout_(layout), buffer_(bufferBytes)
 {
-	if (file_ == nullptr) failInput("cannot read '" + path + "'");
-	std::setvbuf(file_, nullptr, _IONBF, 0); // buffered here
+	file_.rdbuf()->pubsetbuf(nullptr, 0); // buffered here
+	file_.open(path, std::ios::binary);
+	if (!file_) failInput("cannot read '" + path + "'");
 }
 
-PlyRecordReader::~PlyRecordReader()
+void PlyRecordReader::toRecord(std::size_t element, std::uint64_t i)
 {
-	if (file_ != nullptr) std::fclose(file_);
-}
-
-void PlyRecordReader::seek(std::uint64_t offset)
-{
-#ifdef _WIN32
-	const bool failed = _fseeki64(file_, std::int64_t(offset), SEEK_SET) != 0;
-#else
-	const bool failed = fseeko(file_, off_t(offset), SEEK_SET) != 0;
-#endif
-	if (failed) fail(path_, "the file is a pipe or ends too early.");
+	std::uint64_t offset = layout_.header.byteNum;
+	for (std::size_t e = 0; e < element; ++e) {
+		const PlyElement& before = layout_.header.elements[e];
+		if (before.hasList()) fail(path_, "its element '" + before.name + "' has lists.");
+		const std::uint64_t each = before.smallestRecordBytes();
+		if (each > 0 && before.count > fileBytes_ / each) failCut();
+		offset += before.count * each;
+	}
+	offset += i * layout_.header.elements[element].smallestRecordBytes();
+	file_.clear(); // of the end of the file
+	if (!file_.seekg(std::streamoff(offset))) fail(path_, "the file is a pipe or ends too early.");
 	at_ = end_ = 0;
-}
-
-void PlyRecordReader::toVertices(std::uint64_t i)
-{
-	seek(layout_.header.byteNum);
-	for (std::size_t e = 0; e < layout_.vertexElement; ++e)
-		skipElement(layout_.header.elements[e]);
-	if (i == 0) return;
-	std::uint64_t offset = layout_.header.byteNum + i * layout_.vertexBytes;
-	for (std::size_t e = 0; e < layout_.vertexElement; ++e)
-		offset +=
-			layout_.header.elements[e].count * layout_.header.elements[e].smallestRecordBytes();
-	seek(offset);
-}
-
-void PlyRecordReader::toFaces()
-{
-	for (std::size_t e = layout_.vertexElement + 1; e < layout_.faceElement; ++e)
-		skipElement(layout_.header.elements[e]);
-}
-
-void PlyRecordReader::skipElement(const PlyElement& element)
-{
-	if (element.hasList()) fail(path_, "its element '" + element.name + "' has lists.");
-	for (std::uint64_t i = 0; i < element.count; ++i)
-		take(element.smallestRecordBytes());
 }
 
 char* PlyRecordReader::takeBytes(std::size_t num)
@@ -225,7 +199,8 @@ char* PlyRecordReader::takeBytes(std::size_t num)
 				  buffer_.begin());
 		end_ -= at_;
 		at_ = 0;
-		end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_);
+		file_.read(buffer_.data() + end_, std::streamsize(buffer_.size() - end_));
+		end_ += std::size_t(file_.gcount());
 		if (end_ < num) failCut();
 	}
 	char* const here = buffer_.data() + at_;

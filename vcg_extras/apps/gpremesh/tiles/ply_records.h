@@ -7,8 +7,7 @@
 #include <vcg_extras/io/formats/ply_header.h>
 
 #include <cstdint>
-#include <cstdio>
-#include <memory>
+#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,16 +76,11 @@ class PlyRecordReader {
 public:
 	PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
 					std::size_t bufferBytes = usualBufferBytes);
-	~PlyRecordReader();
-	PlyRecordReader(const PlyRecordReader&)            = delete;
-	PlyRecordReader& operator=(const PlyRecordReader&) = delete;
 
-	/// Moves to the first vertex, from there to vertex number i.
-	void toVertices(std::uint64_t i = 0);
-	/// Moves from the first vertex past the last vertex.
-	void skipVertices() { skipElement(layout_.vertices()); }
-	/// Moves from behind the last vertex to the first face. Reads everything between.
-	void toFaces();
+	/// Moves to vertex number i.
+	void toVertices(std::uint64_t i = 0) { toRecord(layout_.vertexElement, i); }
+	/// Moves to the first face.
+	void toFaces() { toRecord(layout_.faceElement, 0); }
 	/// The next vertex; valid until the next call.
 	const char* nextVertex();
 	void        nextFace(FaceRecord& face);
@@ -95,18 +89,17 @@ private:
 	std::string            path_;
 	std::uint64_t          fileBytes_;
 	const PlyRecordLayout& layout_;
-	std::FILE*             file_ = nullptr;
+	std::ifstream          file_;
 	std::vector<char>      buffer_;
 	std::size_t            at_ = 0, end_ = 0;
 
-	const char* take(std::size_t num) { return takeBytes(num); }
-	char*       takeBytes(std::size_t num);
+	/// Moves to record i of an element, which needs records of a known length before.
+	void  toRecord(std::size_t element, std::uint64_t i);
+	char* takeBytes(std::size_t num);
 	/// Consecutive values.
 	char*             takeValues(PlyType type, std::size_t num);
 	std::size_t       listLength(const PlyProperty& list);
 	void              copyList(const PlyProperty& list, std::string& to);
-	void              skipElement(const PlyElement& element);
-	void              seek(std::uint64_t offset);
 	[[noreturn]] void failCut() const;
 };
 

@@ -5,7 +5,6 @@
 #include <vcg_extras/io/base/exit_code.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -32,11 +31,10 @@ void SpillFiles::flush(int tile)
 {
 	std::vector<char>& buffer = buffer_[std::size_t(tile)];
 	const std::string  path   = pathOf(tile);
-	std::FILE* const   file   = std::fopen(path.c_str(), "ab");
-	if (file == nullptr) fail("write", path);
-	const bool written = std::fwrite(buffer.data(), 1, buffer.size(), file) == buffer.size();
-	const bool closed  = std::fclose(file) == 0;
-	if (!written || !closed) fail("write", path);
+	std::ofstream      file(path, std::ios::binary | std::ios::app);
+	file.write(buffer.data(), std::streamsize(buffer.size()));
+	file.close();
+	if (!file) fail("write", path);
 	buffer.clear();
 }
 
@@ -47,11 +45,8 @@ std::vector<char> SpillFiles::take(int tile)
 	const auto        onDisk = std::filesystem::file_size(path, error);
 	std::vector<char> all(error ? 0 : std::size_t(onDisk));
 	if (!all.empty()) {
-		std::FILE* const file = std::fopen(path.c_str(), "rb");
-		if (file == nullptr) fail("read", path);
-		const bool complete = std::fread(all.data(), 1, all.size(), file) == all.size();
-		std::fclose(file);
-		if (!complete) fail("read", path);
+		std::ifstream file(path, std::ios::binary);
+		if (!file.read(all.data(), std::streamsize(all.size()))) fail("read", path);
 	}
 	std::vector<char>& buffer = buffer_[std::size_t(tile)];
 	all.insert(all.end(), buffer.begin(), buffer.end());

@@ -8,6 +8,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/formats/stl_facets.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -205,8 +206,7 @@ private:
 
 std::vector<std::string> convertBinaryStl(const Conversion& job)
 {
-	std::string begin(stlFacetsAt, '\0');
-	std::ifstream(job.source, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+	const std::string begin = beginOfFile(job.source, stlFacetsAt);
 	requireAllFacets(begin, std::filesystem::file_size(job.source));
 	const std::uint64_t facetNum = (promisedStlBytes(begin) - stlFacetsAt) / stlFacetBytes;
 	if (facetNum == 0) failInput("the file has no faces (0 vertices)");

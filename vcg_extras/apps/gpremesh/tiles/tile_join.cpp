@@ -126,8 +126,6 @@ private:
 			tell(0.4 + 0.6 * double(part.tile) / plan_.tileNum());
 			const std::vector<std::uint32_t> numbers = numbersOf(part, nullptr);
 			PlyRecordReader                  reader(folder_.part(part.tile), part.layout);
-			reader.toVertices();
-			reader.skipVertices();
 			reader.toFaces();
 			for (std::uint64_t f = 0; f < part.facts.faceNum; ++f) {
 				if ((f & pollMask) == 0) limit_.check();

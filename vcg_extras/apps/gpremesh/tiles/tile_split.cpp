@@ -205,8 +205,6 @@ private:
 	void readFaces(std::size_t file, std::uint64_t firstVertex)
 	{
 		PlyRecordReader reader(plan_.inputs[file], layouts_[file]);
-		reader.toVertices();
-		reader.skipVertices();
 		reader.toFaces();
 		const double all = double(std::max<std::uint64_t>(1, plan_.allFaces()));
 		FaceRecord   face;
