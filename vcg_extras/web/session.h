@@ -5,7 +5,7 @@
 
 #include <vcg_extras/core/prepared_surface.h>
 #include <vcg_extras/core/surface/surface_distance.h>
-#include <vcg_extras/io/mesh/mesh_source.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/report/json_parts.h>
 
 #include <map>

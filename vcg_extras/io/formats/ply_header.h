@@ -115,6 +115,33 @@ std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
 /// The begin of a comment that names the value i of a property of faces.
 std::string nameComment(const std::string& property);
 
+// ---- the place of the mesh
+//
+// The mesh lies among any other content. All these functions throw AppError (BadInput) if the mesh
+// cannot be found.
+
+/// Refuses a header with a repeated element of vertices, faces or strips.
+void checkElements(const PlyHeader& header);
+
+/// Nothing after the last element of the three is read: files with damaged extras still serve.
+std::size_t usefulElementNum(const PlyHeader& header);
+
+/// Which of an element's properties are the coordinates.
+struct CoordinateProperties {
+	int x = -1, y = -1, z = -1;
+};
+
+CoordinateProperties findCoordinates(const PlyElement& e);
+
+/// Whether x, y or z is stored as double or as a whole number of 32 bits.
+bool needsDouble(const PlyElement& e, const CoordinateProperties& c);
+
+/// The number of the property with the vertices of a face or strip.
+int findIndexList(const PlyElement& e);
+
+/// For an element with more records than the rest of the file can hold.
+[[noreturn]] void failTruncated(const PlyElement& e);
+
 } // namespace gpr::app
 
 #endif

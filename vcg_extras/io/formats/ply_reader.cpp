@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_formats.h"
-#include "ply_layout.h"
+#include "ply_header.h"
 #include "ply_source.h"
 
 #include <vcg_extras/io/base/exit_code.h>

@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_IO_MESH_ATTRIBUTE_CARRY_H
 #define VCG_EXTRAS_IO_MESH_ATTRIBUTE_CARRY_H
 
-#include "mesh_attributes.h"
+#include "mesh_data.h"
 
 #include <vcg_extras/core/remesh.h>
 
@@ -34,6 +34,31 @@ std::unique_ptr<TextureSource> takeTexture(MeshAttributes& attributes, const Mes
 MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 							   const TextureSource* texture, const RemeshResult& result,
 							   Transfer transfer = Transfer::Auto);
+
+/// Whether runs with these options sew seams.
+bool isSewn(const RemeshOptions& options);
+
+/// A mesh to remesh, with the data for its result.
+struct MeshSource {
+	InputMesh                      mesh;
+	std::unique_ptr<TextureSource> texture; ///< or null; looks at the mesh's arrays
+
+	MeshSource() = default;
+	/// Takes the texture out of the attributes, as a run with these options needs the texture.
+	MeshSource(InputMesh input, const RemeshOptions& options);
+
+	/// The view for the engine: seams of the texture are lines.
+	MeshView view() const;
+	/// Whether carrying attributes over takes places of the result's faces, and any places at all.
+	bool needsPointsOfFaces() const { return texture != nullptr || mesh.attributes.ofFacesToo(); }
+	bool needsPoints() const { return needsPointsOfFaces() || mesh.attributes.any(); }
+	/// The options, with the places on the surface by which attributes are carried over.
+	RemeshOptions withPlaces(const RemeshOptions& options) const;
+};
+
+/// Whether a result is written in double: for a double input, and if floats would not resolve a
+/// thousandth of the mean edge.
+bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result);
 
 } // namespace gpr::app
 

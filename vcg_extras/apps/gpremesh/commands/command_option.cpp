@@ -5,6 +5,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/report/formatted_text.h>
 #include <vcg_extras/io/text/number_text.h>
+#include <vcg_extras/io/text/text_lines.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,10 +23,8 @@ std::string helpText(const Parameter& p)
 }
 
 /// Bytes of a unit; 0 for an unknown unit. K is a thousand, Ki is 1024.
-std::uint64_t bytesOfUnit(std::string unit)
+std::uint64_t bytesOfUnit(const std::string& unit)
 {
-	for (char& c : unit)
-		c = char(std::tolower((unsigned char) c));
 	if (unit.empty() || unit == "b") return 1;
 	const std::size_t   power = std::string("kmgtpe").find(unit[0]);
 	const std::string   rest  = unit.substr(1);
@@ -44,7 +43,7 @@ std::uint64_t parseBytes(const std::string& word)
 	auto       letter = end;
 	while (letter != word.end() && *letter == ' ')
 		++letter;
-	const std::uint64_t unit   = bytesOfUnit(std::string(letter, word.end()));
+	const std::uint64_t unit   = bytesOfUnit(lowerCase(std::string(letter, word.end())));
 	std::int64_t        number = 0;
 	const bool          isRead = parseInteger(std::string(word.begin(), end), number);
 	if (!isRead || unit == 0 ||

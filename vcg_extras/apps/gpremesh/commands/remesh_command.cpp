@@ -12,8 +12,8 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/mesh_formats.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/mesh/joined_pieces.h>
-#include <vcg_extras/io/mesh/mesh_source.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/remesh_outcome.h>
 

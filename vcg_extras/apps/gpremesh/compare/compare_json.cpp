@@ -47,14 +47,14 @@ std::string compareJson(const CompareRecord& record)
 {
 	Json json;
 	json["program"] = programJson();
-	json["input"]   = fileJson(record.inputPath, record.inputDouble, record.input.figures);
+	json["input"]   = fileJson(record.line.input, record.inputDouble, record.input.figures);
 	json["input"]["nonManifoldEdges"] = record.input.nonManifoldEdges;
 	json["input"]["quality"]          = qualityJson(record.input.quality);
 	json["cleanedInput"]              = figuresJson(record.cleanedInput);
-	json["options"]                   = record.optionsText;
-	json["seed"]                      = record.options.seed;
+	json["options"]                   = record.line.optionsText;
+	json["seed"]                      = record.line.options.seed;
 	json["threads"]                   = record.threads;
-	json["runs"]                      = record.runNum;
+	json["runs"]                      = record.line.runNum;
 	json["methods"]                   = Json::array();
 	for (const MethodRecord& m : record.methods)
 		json["methods"].push_back(methodJson(record, m));

@@ -18,11 +18,10 @@ namespace {
 
 /// The data shared by all methods.
 struct Comparison {
-	const InputMesh&   input;
-	const CommandLine& line;
-	CompareRecord      record;
-	std::int64_t       faceNum = 0; ///< of the default path's result
-	double             edgeLen = 0; ///< mean edge of the same result
+	const InputMesh& input;
+	CompareRecord    record;
+	std::int64_t     faceNum = 0; ///< of the default path's result
+	double           edgeLen = 0; ///< mean edge of the same result
 };
 
 struct Method {
@@ -47,7 +46,7 @@ BaselineResult runEngine(const Comparison& c, const RemeshOptions& options, Reme
 BaselineResult runDefault(Comparison& c)
 {
 	RemeshResult   result;
-	BaselineResult out = runEngine(c, c.line.options, result);
+	BaselineResult out = runEngine(c, c.record.line.options, result);
 	requireMesh(result);
 	c.faceNum             = std::int64_t(out.mesh.faceNum());
 	c.edgeLen             = result.report.quality.meanEdgeLen;
@@ -58,7 +57,7 @@ BaselineResult runDefault(Comparison& c)
 
 BaselineResult runPaper(Comparison& c)
 {
-	RemeshOptions options = c.line.options;
+	RemeshOptions options = c.record.line.options;
 	options.preset        = Preset::Paper;
 	RemeshResult result;
 	return runEngine(c, options, result);
@@ -148,11 +147,12 @@ double median(std::vector<double> values)
 CompareRecord compareMethods(const InputMesh& input, const CommandLine& line,
 							 const CompareProgress& progress)
 {
-	Comparison                comparison = {input, line, {}};
+	Comparison                comparison = {input, {}};
 	const std::vector<Method> methods    = chosenMethods(line);
 	CompareRecord&            record     = comparison.record;
-	const double              stepNum    = double(methods.size()) * (line.runNum + 1) + 1;
-	double                    done       = 0;
+	record.line                          = line;
+	const double stepNum                 = double(methods.size()) * (line.runNum + 1) + 1;
+	double       done                    = 0;
 	for (const Method& m : methods) {
 		record.methods.emplace_back();
 		record.methods.back().key    = m.key;
@@ -167,11 +167,7 @@ CompareRecord compareMethods(const InputMesh& input, const CommandLine& line,
 	}
 	progress(done++ / stepNum, "measuring the input");
 	Workers workers(line.options.threads, nullptr);
-	record.inputPath   = line.input;
 	record.inputDouble = input.doublePrecision;
-	record.options     = line.options;
-	record.optionsText = line.optionsText;
-	record.runNum      = line.runNum;
 	record.notes       = input.notes;
 	record.input       = recordOf(input.view(), workers);
 	const MeasuredSurface target(input.view(), workers);

@@ -41,14 +41,11 @@ double median(std::vector<double> values);
 
 /// The data of the table, the JSON and the page.
 struct CompareRecord {
-	std::string               inputPath;
+	CommandLine               line;
 	bool                      inputDouble = false;
 	MeshRecord                input;
 	MeshFigures               cleanedInput; ///< as loaded by the engine
-	RemeshOptions             options;
-	std::string               optionsText; ///< as given by the user
-	int                       runNum  = 1;
-	int                       threads = 0; ///< threads of the engine
+	int                       threads = 0;  ///< threads of the engine
 	std::vector<MethodRecord> methods;
 	std::vector<std::string>  notes; ///< sentences to read even after success
 

@@ -77,7 +77,7 @@ std::string picturesHtml(const std::vector<CaptionedPictures>& list)
 std::string comparePage(const CompareRecord& record, const std::vector<CaptionedPictures>& pictures,
 						const std::string& viewer)
 {
-	const std::string name  = std::filesystem::path(record.inputPath).filename().string();
+	const std::string name  = std::filesystem::path(record.line.input).filename().string();
 	const std::string title = "Comparison for " + escaped(name) + " by gpremesh " + GPR_VERSION;
 	std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
 					   "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +

@@ -157,7 +157,7 @@ FigureTable figureTable(const CompareRecord& record)
 	table.shape("faces", [](const MeshRecord& m) { return grouped(m.figures.faces); });
 	table.shape("vertices", [](const MeshRecord& m) { return grouped(m.figures.vertices); });
 	const std::string ofRuns =
-		record.runNum == 1 ? "" : ", median of " + std::to_string(record.runNum);
+		record.line.runNum == 1 ? "" : ", median of " + std::to_string(record.line.runNum);
 	table.result("seconds" + ofRuns,
 				 [](const MethodRecord& m) { return formatted("%.3f", median(m.seconds)); });
 	table.result("processor seconds" + ofRuns, [](const MethodRecord& m) {
@@ -190,7 +190,7 @@ std::vector<std::string> explanations(const CompareRecord& record)
 std::string compareText(const CompareRecord& record)
 {
 	const FigureTable table = figureTable(record);
-	std::string       text  = record.inputPath + "\n" + formatted("%-34s", "");
+	std::string       text  = record.line.input + "\n" + formatted("%-34s", "");
 	for (const std::string& h : table.head)
 		text += formatted("%15s", h.c_str());
 	text += "\n";

@@ -27,7 +27,7 @@ double endOfColours(const CompareRecord& record)
 
 std::string dataJson(const MeshView& input, const CompareRecord& record)
 {
-	Workers        workers(record.options.threads, nullptr);
+	Workers        workers(record.line.options.threads, nullptr);
 	const MeshJson meshes(input, record.input.figures.diagonal, workers, packed);
 	Json           json = {{"endOfDistances", endOfColours(record)},
 						   {"mostShown", mostFacesShown},

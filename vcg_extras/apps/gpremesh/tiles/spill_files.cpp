@@ -55,24 +55,4 @@ std::vector<char> SpillFiles::take(int tile)
 	return all;
 }
 
-void SpillFiles::takeBlocks(int tile, std::size_t blockBytes,
-							const std::function<void(const std::vector<char>&)>& visit)
-{
-	flush(tile);
-	buffer_[std::size_t(tile)] = std::vector<char>();
-	const std::string path     = pathOf(tile);
-	{
-		std::ifstream     file(path, std::ios::binary);
-		std::vector<char> block(blockBytes);
-		while (file) {
-			file.read(block.data(), std::streamsize(blockBytes));
-			block.resize(std::size_t(file.gcount()));
-			visit(block);
-		}
-		if (!file.eof()) fail("read", path);
-	}
-	std::error_code error;
-	std::filesystem::remove(path, error);
-}
-
 } // namespace gpr::app

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstring>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,20 +42,6 @@ public:
 		if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
 		return values;
 	}
-	/// Visits all values of a tile's file in their order, for a file that may be larger than the
-	/// memory.
-	template <class T, class Visit>
-	void takeEach(int tile, const Visit& visit)
-	{
-		constexpr std::size_t atOnce = 20000;
-		takeBlocks(tile, atOnce * sizeof(T), [&](const std::vector<char>& block) {
-			for (std::size_t at = 0; at < block.size(); at += sizeof(T)) {
-				T value;
-				std::memcpy(&value, &block[at], sizeof(T));
-				visit(value);
-			}
-		});
-	}
 
 private:
 	std::string                    stem_;
@@ -65,8 +50,6 @@ private:
 
 	std::string pathOf(int tile) const { return stem_ + std::to_string(tile); }
 	void        flush(int tile);
-	void        takeBlocks(int tile, std::size_t blockBytes,
-						   const std::function<void(const std::vector<char>&)>& visit);
 };
 
 } // namespace gpr::app

@@ -21,11 +21,11 @@ namespace gpr::app {
 namespace {
 
 /// Facets read at once.
-constexpr std::size_t blockFacets = 20000;
+constexpr std::uint64_t blockFacets = 20000;
 
 /// Bytes of memory per corner of a share, if each corner has a place of its own. Usually six
-/// corners have the same place, which takes a sixth of the memory.
-constexpr double bytesPerCorner = 60;
+/// corners have the same place, which takes less than half of the memory.
+constexpr double bytesPerCorner = 80;
 
 /// The division of all corners into shares.
 struct Shares {
@@ -68,33 +68,6 @@ struct HashOfKey {
 	std::size_t operator()(const StlCornerKey& key) const { return std::size_t(key.hash()); }
 };
 
-/// Reads the facets of a file in turn.
-class FacetFile {
-public:
-	FacetFile(const std::string& path, std::uint64_t facetNum) :
-			file_(path, std::ios::binary), left_(facetNum)
-	{
-		file_.seekg(std::streamoff(stlFacetsAt));
-	}
-
-	/// The next facets; none at the end.
-	StlFacets next()
-	{
-		const std::size_t num = std::size_t(std::min<std::uint64_t>(left_, blockFacets));
-		block_.resize(num * stlFacetBytes);
-		file_.read(block_.data(), std::streamsize(block_.size()));
-		if (std::size_t(file_.gcount()) != block_.size())
-			failInput("the file cannot be read to its end");
-		left_ -= num;
-		return StlFacets({block_.data(), block_.size()});
-	}
-
-private:
-	std::ifstream     file_;
-	std::uint64_t     left_;
-	std::vector<char> block_;
-};
-
 class StlConverter {
 public:
 	StlConverter(const Conversion& job, std::uint64_t facetNum) :
@@ -127,32 +100,46 @@ private:
 	SpillFiles        corners_; ///< by place
 	SpillFiles        found_;   ///< by corner
 
+	/// Calls visit(facets, c, number) for each corner of the file, which is corner c of some
+	/// facets. from, share: of the work.
+	template <class Visit>
+	void forEachCorner(double from, double share, const Visit& visit) const
+	{
+		std::ifstream     file(job_.source, std::ios::binary);
+		std::vector<char> block;
+		file.seekg(std::streamoff(stlFacetsAt));
+		for (std::uint64_t done = 0; done < facetNum_; done += blockFacets) {
+			job_.tell(from + share * double(done) / double(facetNum_));
+			const auto num = std::size_t(std::min(facetNum_ - done, blockFacets));
+			block.resize(num * stlFacetBytes);
+			if (!file.read(block.data(), std::streamsize(block.size())))
+				failInput("the file cannot be read to its end");
+			const StlFacets facets({block.data(), block.size()});
+			for (std::size_t c = 0; c < facets.cornerNum(); ++c)
+				visit(facets, c, 3 * done + c);
+		}
+	}
+
 	/// Puts all corners of a place into the same share, in their order.
 	void shareOutPlaces()
 	{
-		FacetFile     file(job_.source, facetNum_);
-		std::uint64_t before = 0;
-		for (StlFacets block = file.next(); block.cornerNum() > 0; block = file.next()) {
-			job_.tell(0.25 * double(before) / double(3 * facetNum_));
-			for (std::size_t c = 0; c < block.cornerNum(); ++c) {
-				const StlCornerKey key   = block.key(c);
-				const int          share = int((key.hash() >> 32) % std::uint64_t(shares_.num));
-				corners_.addValue(share, PlacedCorner(key, before + c));
-			}
-			before += block.cornerNum();
-		}
+		forEachCorner(0, 0.25, [&](const StlFacets& facets, std::size_t c, std::uint64_t number) {
+			const StlCornerKey key   = facets.key(c);
+			const int          share = int((key.hash() >> 32) % std::uint64_t(shares_.num));
+			corners_.addValue(share, PlacedCorner(key, number));
+		});
 	}
 
 	void findFirstCorners(int share)
 	{
 		job_.tell(0.25 + 0.4 * share / shares_.num);
 		std::unordered_map<StlCornerKey, std::uint64_t, HashOfKey> firstAt;
-		corners_.takeEach<PlacedCorner>(share, [&](const PlacedCorner& placed) {
+		for (const PlacedCorner& placed : corners_.takeValues<PlacedCorner>(share)) {
 			const std::uint64_t corner = placed.corner();
 			const auto [at, isNew]     = firstAt.emplace(placed.place, corner);
 			if (isNew) isFirst_.insert(corner);
 			found_.addValue(int(corner / shares_.cornersEach), SamePlace{corner, at->second});
-		});
+		}
 	}
 
 	std::string header() const
@@ -170,17 +157,11 @@ private:
 
 	void writeVertices(OutputFile& out)
 	{
-		FacetFile     file(job_.source, facetNum_);
-		std::uint64_t before = 0;
-		for (StlFacets block = file.next(); block.cornerNum() > 0; block = file.next()) {
-			job_.tell(0.65 + 0.1 * double(before) / double(3 * facetNum_));
-			for (std::size_t c = 0; c < block.cornerNum(); ++c) {
-				if (!isFirst_.has(before + c)) continue;
-				const std::array<float, 3> p = block.position(c);
-				out.bytes(reinterpret_cast<const char*>(p.data()), sizeof p);
-			}
-			before += block.cornerNum();
-		}
+		forEachCorner(0.65, 0.1, [&](const StlFacets& facets, std::size_t c, std::uint64_t number) {
+			if (!isFirst_.has(number)) return;
+			const std::array<float, 3> p = facets.position(c);
+			out.bytes(reinterpret_cast<const char*>(p.data()), sizeof p);
+		});
 	}
 
 	/// Writes the faces of the corners of a share; the share may begin and end within a face.

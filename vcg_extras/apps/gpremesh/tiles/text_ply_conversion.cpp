@@ -5,7 +5,7 @@
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
-#include <vcg_extras/io/formats/ply_layout.h>
+#include <vcg_extras/io/formats/ply_header.h>
 #include <vcg_extras/io/formats/ply_source.h>
 #include <vcg_extras/io/mesh/face_list.h>
 #include <vcg_extras/io/text/text_pieces.h>
