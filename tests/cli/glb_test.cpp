@@ -290,17 +290,16 @@ TEST_F(GlbRoundTrip, KeepsTextureCoordinatesBesideASeam)
 
 TEST_F(GlbRoundTrip, KeepsMaterialsAndImagesAsTheyWere)
 {
-	auto materials         = std::make_shared<GltfMaterials>();
-	materials->json        = R"({"materials": [{"name": "a", "extras": {"x": [1]}},
+	auto materials        = std::make_shared<GltfMaterials>();
+	materials->json       = R"({"materials": [{"name": "a", "extras": {"x": [1]}},
 		{"name": "b", "emissiveTexture": {"index": 0}}], "textures": [{"source": 1}],
 		"images": [{"uri": "far.png"}, {"bufferView": 7, "mimeType": "image/png"}],
 		"extensionsUsed": ["KHR_materials_unlit"]})";
-	materials->imageBytes  = {"", "bytes of an image"};
-	materials->materialNum = 2;
-	attributes_.gltf       = materials;
-	attributes_.materials  = {"a", "b"};
-	attributes_.texture    = {{0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1}, {1, 0}};
-	const InputMesh first  = roundTrip();
+	materials->imageBytes = {"", "bytes of an image"};
+	attributes_.gltf      = materials;
+	attributes_.materials = {"a", "b"};
+	attributes_.texture   = {{0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1}, {1, 0}};
+	const InputMesh first = roundTrip();
 	const GltfJson  json = glbChunksOf(file_).json, wanted = GltfJson::parse(materials->json);
 	EXPECT_EQ(json["materials"], wanted["materials"]);
 	EXPECT_EQ(json["extensionsUsed"], wanted["extensionsUsed"]);

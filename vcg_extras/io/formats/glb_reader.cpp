@@ -448,8 +448,7 @@ private:
 											  ? bufferViewOf(glb_, countOf(image, "bufferView", -1))
 											  : std::string_view());
 		}
-		kept->materialNum = listOf(glb_.json, "materials").size();
-		kept->json        = json.dump();
+		kept->json = json.dump();
 		return kept;
 	}
 };

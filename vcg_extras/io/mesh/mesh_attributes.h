@@ -21,7 +21,6 @@ namespace gpr::app {
 struct GltfMaterials {
 	std::string json; ///< an object: materials, textures, images, samplers, names of extensions
 	std::vector<std::string> imageBytes; ///< by the number of the image; empty for another file
-	std::size_t              materialNum = 0;
 };
 
 /// One value for every vertex, or for every face, by its name and type in a PLY file.
