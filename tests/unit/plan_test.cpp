@@ -50,12 +50,12 @@ RemeshOptions keeping(RemeshOptions options)
 	return options;
 }
 
-MeshFacts reached(std::int64_t vertexNum)
+RelaxationFacts reached(std::int64_t vertexNum)
 {
 	return {vertexNum};
 }
 
-MeshFacts withoutAreas(std::int64_t vertexNum)
+RelaxationFacts withoutAreas(std::int64_t vertexNum)
 {
 	return {vertexNum, false, true};
 }
@@ -69,15 +69,15 @@ public:
 	{
 	}
 
-	std::int64_t                                  keptNum   = 0;
-	std::int64_t                                  euler     = 2; ///< of a surface without border
-	std::int64_t                                  countStep = 1; ///< of vertices
-	std::function<LineFacts(const Decisions&)>    lines;
-	std::function<SampleFacts(const Decisions&)>  samples;
-	std::function<MeshFacts(const Decisions&)>    mesh;
-	std::function<ContactFacts(const Decisions&)> contacts;
-	bool                                          mustSew    = false;
-	bool                                          areCrowded = false;
+	std::int64_t                                     keptNum   = 0;
+	std::int64_t                                     euler     = 2; ///< of a surface without border
+	std::int64_t                                     countStep = 1; ///< of vertices
+	std::function<LineFacts(const Decisions&)>       lines;
+	std::function<SampleFacts(const Decisions&)>     samples;
+	std::function<RelaxationFacts(const Decisions&)> mesh;
+	std::function<ContactFacts(const Decisions&)>    contacts;
+	bool                                             mustSew    = false;
+	bool                                             areCrowded = false;
 
 	std::vector<Step>        steps; ///< in the order in which they were taken
 	std::vector<std::string> told;
@@ -149,8 +149,8 @@ private:
 			return tell(plan_.judge(CountFacts{d.vertexNum, facesOf(d.vertexNum)}));
 		case Step::Relaxation: {
 			attempts.push_back(d);
-			MeshFacts facts = mesh ? mesh(d) : reached(d.vertexNum);
-			facts.faceNum   = facesOf(facts.vertexNum);
+			RelaxationFacts facts = mesh ? mesh(d) : reached(d.vertexNum);
+			facts.faceNum         = facesOf(facts.vertexNum);
 			return tell(plan_.judge(facts));
 		}
 		case Step::Fit:
@@ -450,7 +450,8 @@ TEST(Plan, LooksForAreasWhereNoCountIsPromised)
 
 TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 {
-	for (const MeshFacts& facts : {MeshFacts{501, true, false}, MeshFacts{500, true, true}}) {
+	for (const RelaxationFacts& facts :
+		 {RelaxationFacts{501, true, false}, RelaxationFacts{500, true, true}}) {
 		const PlannedRun run = runWith(order(500), [&](const Decisions& d) {
 			return d.way == Way::WithFeatureLines ? facts : reached(500);
 		});
@@ -462,7 +463,7 @@ TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 		EXPECT_TRUE(run.says("feature lines"));
 	}
 	const PlannedRun harmless = runWith(order(500), [](const Decisions&) {
-		return MeshFacts{500, true, false};
+		return RelaxationFacts{500, true, false};
 	});
 	EXPECT_EQ(harmless.attempts.size(), 1u);
 }
@@ -470,7 +471,7 @@ TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 {
 	const PlannedRun run = runWith(order(500), [](const Decisions& d) {
-		return d.keepsRaggedBorder ? reached(500) : MeshFacts{500, false, true, true};
+		return d.keepsRaggedBorder ? reached(500) : RelaxationFacts{500, false, true, true};
 	});
 	ASSERT_EQ(run.attempts.size(), 2u);
 	EXPECT_TRUE(run.attempts[1].keepsRaggedBorder);
@@ -478,7 +479,7 @@ TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 	EXPECT_TRUE(run.says("smooth border"));
 	// No second trial with another count.
 	const PlannedRun raised = runWith(wish(500), [](const Decisions& d) {
-		return d.keepsRaggedBorder ? reached(600) : MeshFacts{500, false, true, true};
+		return d.keepsRaggedBorder ? reached(600) : RelaxationFacts{500, false, true, true};
 	});
 	EXPECT_EQ(raised.decisions().vertexNum, 600);
 	EXPECT_TRUE(raised.attempts.back().keepsRaggedBorder);
@@ -488,7 +489,7 @@ TEST(Plan, LeavesSeamsOpenWithWhichTrianglesHaveNoArea)
 {
 	const auto facts = [](const Decisions& d, std::int64_t reachedNum) {
 		const bool isSewn = d.sewing != Sewing::Never;
-		return MeshFacts{isSewn ? 500 : reachedNum, false, isSewn, false, isSewn};
+		return RelaxationFacts{isSewn ? 500 : reachedNum, false, isSewn, false, isSewn};
 	};
 	const PlannedRun run = runWith(order(500), [&](const Decisions& d) { return facts(d, 500); });
 	ASSERT_EQ(run.attempts.size(), 2u);
@@ -856,18 +857,18 @@ TEST(Plan, AlwaysComesToAnEnd)
 		options.guard              = false;
 		const double hit = random.between(0, 1), flat = random.between(0, 1);
 		const bool   isSmooth = random.chance(0.5), isSewn = random.chance(0.5);
-		std::map<std::tuple<Way, std::int64_t, bool, Sewing>, MeshFacts> known;
-		std::int64_t                                                     last = 0;
-		PlannedRun                                                       run(options);
+		std::map<std::tuple<Way, std::int64_t, bool, Sewing>, RelaxationFacts> known;
+		std::int64_t                                                           last = 0;
+		PlannedRun                                                             run(options);
 		run.keptNum = kept;
 		run.mesh    = [&](const Decisions& d) {
-            const MeshFacts facts{random.chance(hit) ? d.vertexNum : 1 + random.below(90),
-                                  d.way == Way::WithFeatureLines && random.chance(0.5),
-                                  random.chance(flat), isSmooth && !d.keepsRaggedBorder,
-                                  isSewn && d.sewing != Sewing::Never};
+            const RelaxationFacts facts{random.chance(hit) ? d.vertexNum : 1 + random.below(90),
+                                        d.way == Way::WithFeatureLines && random.chance(0.5),
+                                        random.chance(flat), isSmooth && !d.keepsRaggedBorder,
+                                        isSewn && d.sewing != Sewing::Never};
             const auto key = std::make_tuple(d.way, d.vertexNum, d.keepsRaggedBorder, d.sewing);
-            const MeshFacts& made = known.insert({key, facts}).first->second;
-            last                  = made.vertexNum;
+            const RelaxationFacts& made = known.insert({key, facts}).first->second;
+            last                        = made.vertexNum;
             return made;
 		};
 		run.go();

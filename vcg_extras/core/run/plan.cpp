@@ -50,7 +50,7 @@ constexpr int maxCorrections = 2, maxCorrectionsWithKept = 6;
 constexpr int maxRefinements = 3;
 
 /// Whether to search a count with areas for all triangles.
-bool needsSearch(const MeshFacts& facts)
+bool needsSearch(const RelaxationFacts& facts)
 {
 	return facts.hasZeroAreas && facts.vertexNum <= fewVertices;
 }
@@ -389,7 +389,7 @@ std::string Plan::tryAgain(std::string note)
 }
 
 /// Takes the mesh. A closed surface has no odd number of faces; the plan aimed at the number below.
-std::string Plan::accept(const MeshFacts& facts, std::string note)
+std::string Plan::accept(const RelaxationFacts& facts, std::string note)
 {
 	const bool byFaces = decisions_.faceNum > 0,
 			   byPairs = !asksForFaces() && attempts_.countStep > 1;
@@ -471,7 +471,7 @@ std::string Plan::withOpenSeams()
 
 /// Accepts or refuses the count reached with vertices to be kept. There is no other way to the
 /// count.
-std::string Plan::nearestWithKept(const MeshFacts& reached)
+std::string Plan::nearestWithKept(const RelaxationFacts& reached)
 {
 	const std::string  counts = counted(reached.vertexNum, reached.faceNum);
 	const std::int64_t off    = reached.faceNum - decisions_.faceNum;
@@ -494,7 +494,7 @@ std::string Plan::byTopology()
 	return tryAgain("");
 }
 
-std::string Plan::raiseTo(const MeshFacts& smallest)
+std::string Plan::raiseTo(const RelaxationFacts& smallest)
 {
 	const std::string note = "The result has " + counted(smallest.vertexNum, smallest.faceNum) +
 							 " instead of " + asked() + ", the smallest number reached.";
@@ -515,14 +515,14 @@ std::string Plan::search(std::int64_t vertexNum)
 	return tryAgain("");
 }
 
-std::string Plan::beginSearch(const MeshFacts& from)
+std::string Plan::beginSearch(const RelaxationFacts& from)
 {
 	attempts_.searchedFrom = from.vertexNum;
 	if (decisions_.faceNum > 0) decisions_.faceNum = from.faceNum;
 	return search(from.vertexNum);
 }
 
-std::string Plan::endSearchAt(const MeshFacts& found)
+std::string Plan::endSearchAt(const RelaxationFacts& found)
 {
 	if (found.vertexNum == attempts_.asked) return accept(found, "");
 	const std::string counts = counted(found.vertexNum, found.faceNum);
@@ -545,7 +545,7 @@ std::string Plan::goOnSearching()
 	return search(isOver ? attempts_.searchedFrom : quarterMore(decisions_.vertexNum));
 }
 
-std::string Plan::judgeAreas(const MeshFacts& facts)
+std::string Plan::judgeAreas(const RelaxationFacts& facts)
 {
 	if (attempts_.searchedNum == 0) {
 		if (!needsSearch(facts) || !mayReturn()) return accept(facts, "");
@@ -557,7 +557,7 @@ std::string Plan::judgeAreas(const MeshFacts& facts)
 }
 
 /// The count reached by topology is the smallest possible count.
-std::string Plan::judgeSmallest(const MeshFacts& facts)
+std::string Plan::judgeSmallest(const RelaxationFacts& facts)
 {
 	if (attempts_.isRaised || attempts_.searchedNum > 0) return judgeAreas(facts);
 	if (isWish() && mayReturn()) return raiseTo(facts);
@@ -578,7 +578,7 @@ std::string Plan::judge(const CountFacts& facts)
 	return "";
 }
 
-std::string Plan::judge(const MeshFacts& facts)
+std::string Plan::judge(const RelaxationFacts& facts)
 {
 	const bool isReached = decisions_.faceNum > 0 ? facts.faceNum == decisions_.faceNum
 												  : facts.vertexNum == decisions_.vertexNum;

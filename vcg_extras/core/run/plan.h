@@ -120,7 +120,7 @@ struct CountFacts {
 	std::int64_t vertexNum = 0;
 	std::int64_t faceNum   = 0;
 };
-struct MeshFacts {
+struct RelaxationFacts {
 	std::int64_t vertexNum       = 0;
 	bool         hasFeatureLines = false;
 	bool         hasZeroAreas    = false; ///< some triangles have an area of rounding errors only
@@ -229,7 +229,7 @@ public:
 	std::string judge(const LineFacts& facts);
 	std::string judge(const SampleFacts& facts);
 	std::string judge(const CountFacts& facts);
-	std::string judge(const MeshFacts& facts);
+	std::string judge(const RelaxationFacts& facts);
 	std::string judge(const FitFacts& facts);
 	std::string judge(const ContactFacts& facts);
 	std::string judge(const RefinementFacts& facts);
@@ -301,7 +301,7 @@ private:
 	std::string returnIf(bool isNeeded, Step from);
 	void        beginRun(Purpose purpose, std::int64_t vertexNum);
 	std::string tryAgain(std::string note);
-	std::string accept(const MeshFacts& facts, std::string note);
+	std::string accept(const RelaxationFacts& facts, std::string note);
 	std::string asked() const;
 	std::string counted(std::int64_t vertexNum, std::int64_t faceNum) const;
 
@@ -313,16 +313,16 @@ private:
 	std::string       withoutFeatureLines(const std::string& fault);
 	std::string       withRaggedBorder();
 	std::string       withOpenSeams();
-	std::string       nearestWithKept(const MeshFacts& reached);
+	std::string       nearestWithKept(const RelaxationFacts& reached);
 	std::string       byTopology();
-	std::string       raiseTo(const MeshFacts& smallest);
-	std::string       judgeAreas(const MeshFacts& facts);
-	std::string       judgeSmallest(const MeshFacts& facts);
+	std::string       raiseTo(const RelaxationFacts& smallest);
+	std::string       judgeAreas(const RelaxationFacts& facts);
+	std::string       judgeSmallest(const RelaxationFacts& facts);
 	std::string       separateByMore(const ContactFacts& facts);
 	std::string       search(std::int64_t vertexNum);
-	std::string       beginSearch(const MeshFacts& from);
+	std::string       beginSearch(const RelaxationFacts& from);
 	std::string       goOnSearching();
-	std::string       endSearchAt(const MeshFacts& found);
+	std::string       endSearchAt(const RelaxationFacts& found);
 	void              tryToHave(std::int64_t num);
 	Failure           refusalAtLast() const;
 	[[noreturn]] void refuse(const std::string& why, std::int64_t smallest,

@@ -203,7 +203,7 @@ void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves
 	}
 }
 
-MeshFacts relaxTriangles(RunContext& run, Products& made)
+RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 {
 	run.clock.enter(Stage::Relaxation);
 	relax(run, made);

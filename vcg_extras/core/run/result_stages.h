@@ -25,7 +25,7 @@ void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves
 
 /// Step Relaxation: makes the triangles regular on the surface, by the method of the preset, then
 /// repairs inverted faces.
-MeshFacts relaxTriangles(RunContext& run, Products& made);
+RelaxationFacts relaxTriangles(RunContext& run, Products& made);
 
 /// Step Fit: fits the mesh to the input, if the options ask for a fit, then raises the smallest
 /// angles. The fit is the last step to move all vertices; vertices leave the surface in this step.
