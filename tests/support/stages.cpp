@@ -132,7 +132,7 @@ ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary)
 			ResultVertex& v = result.vertex[curve.vertex[i]];
 			v.curve         = int(c);
 			v.arc           = curve.arc[i];
-			v.point.face    = curve.face[i];
+			v.point.face    = curve.faceAt(curve.arc[i]);
 		}
 	}
 	return result;

@@ -149,7 +149,7 @@ TEST_F(SampleBoundary, CurvesAndSamplesAgreeWithTheSurface)
 			const int h = surface.mesh.findHalfEdge(v, next);
 			ASSERT_GE(h, 0);
 			EXPECT_TRUE(surface.mesh.isBorderEdge(h));
-			EXPECT_EQ(curve.face[i], h / 3);
+			EXPECT_EQ(curve.halfEdge[i], h);
 			EXPECT_EQ(b.samples[b.sampleOfPoint[c][i]].curve, int(c));
 		}
 	}

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/features/crease_agreement.h>
 #include <vcg_extras/core/features/crease_lines.h>
+#include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 

@@ -67,7 +67,7 @@ struct Laid {
 				ResultVertex& r         = result.vertex[v];
 				r.curve                 = int(c);
 				r.arc                   = curve.arc[i];
-				r.point                 = {curve.point[i], curve.face[i]};
+				r.point                 = {curve.point[i], curve.faceAt(curve.arc[i])};
 				result.mesh.position[v] = curve.point[i];
 			}
 		}

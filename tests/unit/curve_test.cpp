@@ -20,7 +20,7 @@ Curve closedCurve(int n, const std::function<Vec3d(double)>& place)
 	Curve c;
 	for (int i = 0; i < n; ++i) {
 		c.vertex.push_back(i);
-		c.face.push_back(i);
+		c.halfEdge.push_back(3 * i);
 		c.point.push_back(Vec3f(place(double(i) / n)));
 	}
 	for (int i = 0; i < n; ++i) {

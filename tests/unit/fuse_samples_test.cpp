@@ -4,7 +4,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/sampling/fuse_samples.h>
+#include <vcg_extras/core/sampling/fused_mesh.h>
 
 #include <gtest/gtest.h>
 #include <set>

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
-#include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/input/small_components.h>
 #include <vcg_extras/core/remesh.h>
 
-#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace gpr::test {
@@ -21,18 +18,18 @@ TriangleMesh threePieces()
 				  shifted(fansSharingVertex(1), {6, 0, 0}));
 }
 
-TEST(SmallComponents, AreThoseWithFewerFaces)
+TEST(DropComponentsBelow, DropsThoseWithFewerFaces)
 {
-	Workers       workers(2, nullptr);
-	const Surface surface = surfaceOf(threePieces(), workers);
+	RemeshOptions options;
 	const struct {
 		int least, num, faces;
-	} cases[] = {{3, 0, 0}, {4, 1, 3}, {18, 1, 3}, {19, 2, 21}, {320, 2, 21}, {321, 3, 341}};
+	} cases[] = {{3, 0, 0}, {4, 1, 3}, {18, 1, 3}, {19, 2, 21}, {320, 2, 21}};
 	for (const auto& c : cases) {
-		const SmallComponents small = findSmallComponents(surface.mesh, c.least, workers);
-		EXPECT_EQ(small.num, c.num) << c.least;
-		EXPECT_EQ(int(small.faces.size()), c.faces) << c.least;
-		EXPECT_TRUE(std::is_sorted(small.faces.begin(), small.faces.end()));
+		options.dropComponentsBelow = c.least;
+		const RemeshResult r        = remesh(threePieces().view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(r.report.cleaned.droppedComponents, c.num) << c.least;
+		EXPECT_EQ(r.report.cleaned.droppedFaces, c.faces) << c.least;
 	}
 }
 
@@ -70,7 +67,7 @@ TEST(DropComponentsBelow, WorksOnWhatIsNotManifold)
 TEST(DropComponentsBelow, RefusesWhereNothingWouldBeLeft)
 {
 	RemeshOptions options;
-	options.dropComponentsBelow = 1000;
+	options.dropComponentsBelow = 321;
 	EXPECT_EQ(remesh(threePieces().view(), options).status, Status::UnusableInput);
 	options.dropComponentsBelow = -1;
 	EXPECT_EQ(remesh(threePieces().view(), options).status, Status::BadOptions);

@@ -19,7 +19,7 @@ Curve closedCurve(int n, const std::function<Vec3d(int)>& place)
 	Curve c;
 	for (int i = 0; i < n; ++i) {
 		c.vertex.push_back(i);
-		c.face.push_back(i);
+		c.halfEdge.push_back(3 * i);
 		c.point.push_back(Vec3f(place(i)));
 	}
 	for (int i = 0; i < n; ++i) {

@@ -8,7 +8,7 @@
 #include <vcg_extras/core/run/sample_stages.h>
 #include <vcg_extras/core/run/surface_stages.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
-#include <vcg_extras/core/sampling/fuse_samples.h>
+#include <vcg_extras/core/sampling/fused_mesh.h>
 
 namespace gpr::bench {
 

@@ -3,6 +3,7 @@
 #include "orientation.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace gpr {
 
@@ -40,10 +41,31 @@ ExactPair exactProduct(double a, double b)
 	return {product, al * bl - (((product - ah * bh) - al * bh) - ah * bl)};
 }
 
+/// The sign of a sum, exactly: -1, 0 or 1. Needs finite terms, at most 64, without overflow of any
+/// partial sum. Expansions after Shewchuk (1997, Adaptive Precision Floating-Point Arithmetic and
+/// Fast Robust Geometric Predicates). Cost: O(num²).
+int signOfSum(const double* term, std::size_t num)
+{
+	constexpr std::size_t most = 64;
+	double                part[most]; // no two overlap, the largest is the last
+	std::size_t           partNum = 0;
+	for (std::size_t i = 0; i < num; ++i) {
+		double      carried = term[i];
+		std::size_t kept    = 0;
+		for (std::size_t k = 0; k < partNum; ++k) {
+			const ExactPair s = exactSum(carried, part[k]);
+			if (s.low != 0) part[kept++] = s.low;
+			carried = s.high;
+		}
+		if (carried != 0) part[kept++] = carried;
+		partNum = kept;
+	}
+	return partNum == 0 ? 0 : signOf(part[partNum - 1]);
+}
+
 /// Terms of an exact sum.
-template <std::size_t most>
 struct Terms {
-	double      term[most];
+	double      term[48]; ///< of four determinants at most
 	std::size_t num = 0;
 
 	void add(double x)
@@ -56,6 +78,16 @@ struct Terms {
 		const ExactPair p = exactProduct(ab, c);
 		add(p.low);
 		add(p.high);
+	}
+	/// Adds the determinant of three rows, times a sign.
+	void addDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign)
+	{
+		addProduct(sign * a.x * b.y, c.z);
+		addProduct(sign * a.y * b.z, c.x);
+		addProduct(sign * a.z * b.x, c.y);
+		addProduct(-sign * a.z * b.y, c.x);
+		addProduct(-sign * a.y * b.x, c.z);
+		addProduct(-sign * a.x * b.z, c.y);
 	}
 	int sign() const { return signOfSum(term, num); }
 };
@@ -77,59 +109,23 @@ bool areShortDifferences(const Vec3d& a, const Vec3d& b)
 /// The sign of the determinant of three rows; the entries must fit in the upper half of a double.
 int signOfDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-	Terms<12> t;
-	t.addProduct(a.x * b.y, c.z);
-	t.addProduct(a.y * b.z, c.x);
-	t.addProduct(a.z * b.x, c.y);
-	t.addProduct(-a.z * b.y, c.x);
-	t.addProduct(-a.y * b.x, c.z);
-	t.addProduct(-a.x * b.z, c.y);
+	Terms t;
+	t.addDeterminant(a, b, c, 1);
 	return t.sign();
-}
-
-/// Adds the terms of the determinant of three points, times a sign.
-template <std::size_t most>
-void addDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign, Terms<most>& t)
-{
-	t.addProduct(sign * a.x * b.y, c.z);
-	t.addProduct(sign * a.y * b.z, c.x);
-	t.addProduct(sign * a.z * b.x, c.y);
-	t.addProduct(-sign * a.z * b.y, c.x);
-	t.addProduct(-sign * a.y * b.x, c.z);
-	t.addProduct(-sign * a.x * b.z, c.y);
 }
 
 /// The orientation of any float points, without differences.
 int exactOrientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
 {
-	Terms<48> t;
-	addDeterminant(b, c, d, 1, t);
-	addDeterminant(a, c, d, -1, t);
-	addDeterminant(a, b, d, 1, t);
-	addDeterminant(a, b, c, -1, t);
+	Terms t;
+	t.addDeterminant(b, c, d, 1);
+	t.addDeterminant(a, c, d, -1);
+	t.addDeterminant(a, b, d, 1);
+	t.addDeterminant(a, b, c, -1);
 	return t.sign();
 }
 
 } // namespace
-
-int signOfSum(const double* term, std::size_t num)
-{
-	constexpr std::size_t most = 64;
-	double                part[most]; // no two overlap, the largest is the last
-	std::size_t           partNum = 0;
-	for (std::size_t i = 0; i < num; ++i) {
-		double      carried = term[i];
-		std::size_t kept    = 0;
-		for (std::size_t k = 0; k < partNum; ++k) {
-			const ExactPair s = exactSum(carried, part[k]);
-			if (s.low != 0) part[kept++] = s.low;
-			carried = s.high;
-		}
-		if (carried != 0) part[kept++] = carried;
-		partNum = kept;
-	}
-	return partNum == 0 ? 0 : signOf(part[partNum - 1]);
-}
 
 int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
 {

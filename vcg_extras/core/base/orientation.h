@@ -5,14 +5,7 @@
 
 #include <vcg_extras/core/vec.h>
 
-#include <cstddef>
-
 namespace gpr {
-
-/// The sign of a sum, exactly: -1, 0 or 1. Needs finite terms, at most 64, without overflow of any
-/// partial sum. Expansions after Shewchuk (1997, Adaptive Precision Floating-Point Arithmetic and
-/// Fast Robust Geometric Predicates). Cost: O(num²).
-int signOfSum(const double* term, std::size_t num);
 
 /// The side of the plane a b c on which point d lies, exactly: 1 if a, b, c turn counter-clockwise
 /// seen from d, -1 on the other side, 0 in the plane. Exact arithmetic is used only if an error

@@ -3,6 +3,7 @@
 #include "page_pool.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 namespace gpr {
@@ -75,9 +76,7 @@ void PagePool::returnSome(std::size_t bytes)
 void PagePool::returnAll()
 {
 	const std::lock_guard<std::mutex> lock(mutex_);
-	for (const Block& b : free_)
-		system_.unmap(b.begin, b.bytes);
-	free_.clear();
+	returnSome(std::numeric_limits<std::size_t>::max());
 }
 
 } // namespace gpr

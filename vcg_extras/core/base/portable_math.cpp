@@ -30,16 +30,6 @@ constexpr Exact arcTangent[stepNum + 1] = { // of k / stepNum
 	{0.71882999962162453, -2.1478388444456983e-17},
 	{0.78539816339744828, 3.061616997868383e-17}};
 
-/// c[0] - c[1] x + c[2] x² - ...
-template <std::size_t N>
-double alternating(const double (&c)[N], double x)
-{
-	double sum = c[N - 1];
-	for (std::size_t i = N - 1; i-- > 0;)
-		sum = c[i] - x * sum;
-	return sum;
-}
-
 /// c[0] + c[1] x + c[2] x² + ...
 template <std::size_t N>
 double polynomial(const double (&c)[N], double x)
@@ -50,10 +40,11 @@ double polynomial(const double (&c)[N], double x)
 	return sum;
 }
 
-/// Series of the arc tangent for t of at most 1/16, without the first term.
+/// Series of the arc tangent for t of at most 1/16, without the first term, by powers of -t².
 constexpr double coarseArcTangent[] = {1.0 / 3, 1.0 / 5, 1.0 / 7};
 constexpr double fineArcTangent[]   = {1.0 / 3, 1.0 / 5, 1.0 / 7, 1.0 / 9, 1.0 / 11, 1.0 / 13};
 
+/// Taylor series of x - sin(x) over x and of 1 - cos(x), by powers of -x² from the first on.
 constexpr double sineSeries[] = {
 	1.0 / 6,        1.0 / 120,        1.0 / 5040,          1.0 / 362880,
 	1.0 / 39916800, 1.0 / 6227020800, 1.0 / 1307674368000, 1.0 / 355687428096000};
@@ -118,22 +109,13 @@ ReducedAngle reduced(double angle)
 	return {rest, int(quarters) & 3};
 }
 
-/// Sine of at most an eighth of a turn.
-double sineOfSmall(double x)
-{
-	const double q = x * x;
-	return x - x * (q * alternating(sineSeries, q));
-}
-double cosineOfSmall(double x)
-{
-	const double q = x * x;
-	return 1 - q * alternating(cosineSeries, q);
-}
-
-/// The sine of an angle of some quarter turns and a rest.
+/// The sine of an angle of some quarter turns and a rest: the sine or the cosine of the rest, which
+/// is at most an eighth of a turn.
 double sineOf(const ReducedAngle& a)
 {
-	const double amount = a.quarters % 2 == 0 ? sineOfSmall(a.rest) : cosineOfSmall(a.rest);
+	const double x = a.rest, q = x * x;
+	const double amount = a.quarters % 2 == 0 ? x - x * (q * polynomial(sineSeries, -q))
+											  : 1 - q * polynomial(cosineSeries, -q);
 	return a.quarters < 2 ? amount : -amount;
 }
 
@@ -148,7 +130,7 @@ float angle(float sine, float cosine)
 	if (!(quotient >= 0)) return 0;
 	const int    step  = stepOf(double(quotient));
 	const double t     = tangentOfRest(double(smaller), double(larger), step);
-	const double rest  = t - t * (t * t * alternating(coarseArcTangent, t * t));
+	const double rest  = t - t * (t * t * polynomial(coarseArcTangent, -t * t));
 	const double first = arcTangent[step].high + rest;
 	const double acute = isSteep ? quarterTurn.high - first : first;
 	return float(cosine < 0 ? halfTurn.high - acute : acute);
@@ -163,7 +145,7 @@ double angle(double sine, double cosine)
 	if (!(quotient >= 0)) return 0;
 	const int    step = stepOf(quotient);
 	const double t    = tangentOfRest(smaller, larger, step);
-	const double rest = t - t * (t * t * alternating(fineArcTangent, t * t));
+	const double rest = t - t * (t * t * polynomial(fineArcTangent, -t * t));
 	// One of the eight parts of the circle, counted from the nearest axis.
 	const double table = arcTangent[step].high, correction = arcTangent[step].low + rest;
 	if (isSteep) {

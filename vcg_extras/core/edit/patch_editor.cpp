@@ -6,7 +6,6 @@
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
-#include <vcg_extras/core/features/crease_agreement.h>
 #include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/surface/normal_agreement.h>

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -31,103 +30,49 @@ void addPoint(const HalfEdgeMesh& m, int h, Curve& c)
 {
 	c.vertex.push_back(m.origin[h]);
 	c.point.push_back(m.position[m.origin[h]]);
-	c.face.push_back(h / 3);
+	c.halfEdge.push_back(h);
 	c.arc.push_back(c.length);
 	c.length += m.edgeLength(h);
 }
 
-Curve traceLoop(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
+/// Traces a loop of the border, or a feature line to the next node or once round.
+Curve traceFrom(const HalfEdgeMesh& m, int first, std::vector<bool>& seen)
 {
 	Curve c;
 	int   h = first;
 	do {
-		seen[m.origin[h]] = 1;
-		addPoint(m, h, c);
-		h = m.outgoing[m.target(h)];
-	} while (h != first);
-	return c;
-}
-
-std::vector<Curve> traceBorder(const HalfEdgeMesh& m)
-{
-	std::vector<Curve> curves;
-	std::vector<char>  seen(m.vertexNum, 0);
-	for (int v = 0; v < m.vertexNum; ++v) {
-		const int h = m.outgoing[v];
-		if (h < 0 || m.opposite[h] >= 0 || seen[v]) continue;
-		curves.push_back(traceLoop(m, h, seen));
-	}
-	return curves;
-}
-
-/// Both halves of every edge of a feature line, ascending, with a mark for edges passed. Edges of
-/// lines are few: one memchr pass over the marks, at the speed of memory, finds them without
-/// reading the rings of other vertices.
-class CreaseEdges {
-public:
-	explicit CreaseEdges(const HalfEdgeMesh& m)
-	{
-		const char* const begin = m.crease.data();
-		const char* const end   = begin + m.crease.size();
-		const char*       at    = begin;
-		while (at < end && (at = static_cast<const char*>(std::memchr(at, 1, end - at))) != nullptr)
-			halfEdge_.push_back(int(at++ - begin));
-		seen_.assign(halfEdge_.size(), 0);
-		for (int h : halfEdge_)
-			vertex_.push_back(m.origin[h]);
-		sortUnique(vertex_);
-	}
-
-	const std::vector<int>& vertices() const { return vertex_; } ///< of feature lines, ascending
-	bool                    isSeen(int h) const { return seen_[indexOf(h)] != 0; }
-	void                    markSeen(int h) { seen_[indexOf(h)] = 1; }
-
-private:
-	std::vector<int>  halfEdge_, vertex_;
-	std::vector<char> seen_;
-
-	std::size_t indexOf(int h) const { return std::size_t(placeIn(halfEdge_, h)); }
-};
-
-/// Traces a chain from half-edge `first` to the next node, or once round.
-Curve traceChain(const HalfEdgeMesh& m, int first, CreaseEdges& edges)
-{
-	Curve c;
-	int   h = first;
-	while (true) {
-		edges.markSeen(h);
-		edges.markSeen(m.opposite[h]);
 		addPoint(m, h, c);
 		const int end = m.target(h);
+		seen[h]       = true;
+		if (m.isBorderEdge(h)) {
+			h = m.outgoing[end];
+			continue;
+		}
+		seen[m.opposite[h]] = true;
 		if (isCreaseNode(m, end)) {
 			c.isClosed = false;
 			c.vertex.push_back(end);
 			c.point.push_back(m.position[end]);
-			c.face.push_back(h / 3);
 			c.arc.push_back(c.length);
 			return c;
 		}
-		if (end == m.origin[first]) return c;
 		h = nextOnCrease(m, h);
-	}
+	} while (h != first);
+	return c;
 }
 
-/// Chains from node to node, then closed lines; in the order of their first vertex.
-std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
+/// The vertices of feature lines, ascending. Edges of lines are few: one memchr pass over the
+/// marks, at the speed of memory, finds them without reading the rings of other vertices.
+std::vector<int> creaseVertices(const HalfEdgeMesh& m)
 {
-	std::vector<Curve> curves;
-	if (!m.hasCreases()) return curves;
-	CreaseEdges edges(m);
-	for (bool fromNodes : {true, false}) {
-		for (int v : edges.vertices()) {
-			if (isCreaseNode(m, v) != fromNodes) continue;
-			forEachOutgoing(m, v, [&](int h) {
-				if (m.isCreaseEdge(h) && !edges.isSeen(h))
-					curves.push_back(traceChain(m, h, edges));
-			});
-		}
-	}
-	return curves;
+	std::vector<int>  vertices;
+	const char* const begin = m.crease.data();
+	const char* const end   = begin + m.crease.size();
+	const char*       at    = begin;
+	while (at < end && (at = static_cast<const char*>(std::memchr(at, 1, end - at))) != nullptr)
+		vertices.push_back(m.origin[at++ - begin]);
+	sortUnique(vertices);
+	return vertices;
 }
 
 /// Angle between the chords to the points `window` before and behind, per point. The angle at the
@@ -179,10 +124,11 @@ bool standsOut(const Curve& c, const std::vector<float>& turn, int i, float wind
 }
 
 /// Marks the points at which the curve turns by more than cornerTurn, its ends left out.
-std::vector<char> findTurns(const Curve& c, const std::vector<float>& turn, float window)
+std::vector<char> findTurns(const Curve& c, float window)
 {
-	std::vector<char> turns(c.pointNum(), 0);
-	const int         skip = c.isClosed ? 0 : 1;
+	const std::vector<float> turn = turnsOver(c, window);
+	std::vector<char>        turns(c.pointNum(), 0);
+	const int                skip = c.isClosed ? 0 : 1;
 	for (int i = skip; i < c.pointNum() - skip; ++i)
 		turns[i] = turn[i] > cornerTurn && isLargestTurn(c, turn, i, window);
 	return turns;
@@ -204,13 +150,13 @@ std::vector<float> turnsAtPoints(const Curve& c)
 /// Marks the corners of a feature line: points whose own turn stands out from the points round,
 /// which never happens on a tessellated arc, and points away from these with a turn above
 /// cornerTurn.
-std::vector<char> findCreaseCorners(const Curve& c, const std::vector<float>& turn, float window)
+std::vector<char> findCreaseCorners(const Curve& c, float window)
 {
 	const std::vector<float> ownTurn = turnsAtPoints(c);
 	std::vector<char>        kinks(c.pointNum(), 0);
 	for (int i = 0; i < c.pointNum(); ++i)
 		kinks[i] = ownTurn[i] > kinkTurn && standsOut(c, ownTurn, i, window);
-	std::vector<char> corners = findTurns(c, turn, window);
+	std::vector<char> corners = findTurns(c, window);
 	for (int i = 0; i < c.pointNum(); ++i) {
 		const bool alone = forEachWithin(c, i, window, [&](int k) { return !kinks[k]; });
 		corners[i]       = kinks[i] || (corners[i] && alone);
@@ -258,16 +204,17 @@ public:
 	}
 
 	/// Smooths the border loops, before any curve is sampled. Ends of feature lines and kept
-	/// vertices stay in place, and so do shared borders, listed in `before` (or null).
-	void smoothBorders(const SharedBorders* before)
+	/// vertices stay in place, and so do shared borders, if asked.
+	void smoothBorders(bool keepsShared)
 	{
+		const SharedBorders before(m_, keepsShared ? out_.curves : std::vector<Curve>());
 		for (Curve& c : out_.curves) {
 			if (!isOfBorder(c) || isTooShort(c)) continue;
 			std::vector<char> isFixed;
 			const int         index = int(&c - out_.curves.data());
 			for (int i = 0; i < c.pointNum(); ++i)
 				isFixed.push_back(isStop(c.vertex[i]) ||
-								  (before != nullptr && before->isOnShared(index, i)));
+								  (keepsShared && before.isOnShared(index, i)));
 			smoothLoop(wanted_.chord, isFixed, c);
 		}
 	}
@@ -283,8 +230,10 @@ public:
 			keepThree(c);
 		else
 			sampleLoop(c);
-		sortSamples();
-		finish(c);
+		// A loop shares no sample with other curves.
+		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
+						 [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
+		finish(c, {});
 	}
 
 	/// minSteps: the least number of parts of the chain, so that it does not coincide with another
@@ -293,24 +242,20 @@ public:
 	{
 		const Curve&            c      = begin(index);
 		const float             window = windowOf(c);
-		const std::vector<char> turns  = findTurns(c, turnsOver(c, window), window);
+		const std::vector<char> turns  = findTurns(c, window);
 		std::vector<float>      stops  = {0};
 		for (int i = 0; i < c.pointNum(); ++i) {
 			const bool inside = i > 0 && i + 1 < c.pointNum();
 			if (turns[i] || (inside && isKept(c.vertex[i]))) stops.push_back(c.arc[i]);
 		}
 		stops.push_back(c.length);
-		marks_.push_back({0, nodeSample(c.vertex.front(), c, 0)});
+		const int front    = nodeSample(c.vertex.front(), c, 0);
 		const int pieceNum = int(stops.size()) - 1;
 		for (int i = 0; i < pieceNum; ++i) {
-			workers_.poll();
 			if (i > 0) put(c, stops[i], true);
-			const int steps = std::max(1, minSteps - pieceNum + 1);
-			for (float s : spaceOut(c, stops[i], stops[i + 1], wanted_, steps))
-				put(c, s, false);
+			sampleBetween(c, stops[i], stops[i + 1], std::max(1, minSteps - pieceNum + 1));
 		}
-		marks_.push_back({c.length, nodeSample(c.vertex.back(), c, c.length)});
-		finish(c);
+		finish(c, {{0, front}, {c.length, nodeSample(c.vertex.back(), c, c.length)}});
 	}
 
 	/// Adds vertex v, on no curve, as a sample.
@@ -333,7 +278,6 @@ private:
 	CurveSpacing                   wanted_;
 	int                            index_       = 0;
 	std::size_t                    firstSample_ = 0; ///< of the curve at hand
-	std::vector<Mark>              marks_;
 	std::map<int, int>             sampleOfNode_;
 	std::vector<char>              isKept_; ///< per vertex; empty: none
 	std::unique_ptr<SharedBorders> shared_; ///< or null
@@ -345,9 +289,7 @@ private:
 	{
 		return c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize();
 	}
-	bool isOfBorder(const Curve& c) const { return c.isClosed && m_.isBorderEdge(outgoingOf(c)); }
-	/// The half-edge from the first to the second point of a border loop.
-	int            outgoingOf(const Curve& c) const { return m_.outgoing[c.vertex[0]]; }
+	bool           isOfBorder(const Curve& c) const { return m_.isBorderEdge(c.halfEdge[0]); }
 	std::ptrdiff_t keptOn(const Curve& c) const
 	{
 		return std::count_if(c.vertex.begin(), c.vertex.end(), [&](int v) { return isKept(v); });
@@ -364,7 +306,6 @@ private:
 		workers_.poll();
 		index_       = index;
 		firstSample_ = out_.samples.size();
-		marks_.clear();
 		return out_.curves[index];
 	}
 
@@ -374,19 +315,16 @@ private:
 		sample.arc      = c.wrap(s);
 		sample.curve    = index_;
 		sample.isCorner = isCorner;
-		sample.point    = {c.at(sample.arc), c.face[c.segmentAt(sample.arc)]};
-		marks_.push_back({sample.arc, int(out_.samples.size())});
+		sample.point    = {c.at(sample.arc), c.faceAt(sample.arc)};
 		out_.samples.push_back(sample);
 	}
 
-	/// Sorts the samples of a loop by arc; a loop shares none with other curves.
-	void sortSamples()
+	/// Samples the curve between the arcs of two stops.
+	void sampleBetween(const Curve& c, float from, float to, int minSteps)
 	{
-		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
-						 [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
-		marks_.clear();
-		for (std::size_t s = firstSample_; s < out_.samples.size(); ++s)
-			marks_.push_back({out_.samples[s].arc, int(s)});
+		workers_.poll();
+		for (float s : spaceOut(c, from, to, wanted_, minSteps))
+			put(c, s, false);
 	}
 
 	int nodeSample(int v, const Curve& c, float s)
@@ -394,7 +332,6 @@ private:
 		const auto found = sampleOfNode_.find(v);
 		if (found != sampleOfNode_.end()) return found->second;
 		put(c, s, true);
-		marks_.pop_back();
 		const int sample              = int(out_.samples.size()) - 1;
 		out_.samples[sample].vertex   = v;
 		out_.samples[sample].isPinned = isKept(v);
@@ -434,17 +371,16 @@ private:
 		}
 	}
 
-	/// Marks the corners and nodes on the loop. turn: see turnsOver.
-	std::vector<char> cornersOfLoop(const Curve& c, const std::vector<float>& turn) const
+	/// Marks the corners and nodes on the loop.
+	std::vector<char> cornersOfLoop(const Curve& c) const
 	{
-		const float window   = windowOf(c);
-		const bool  onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
+		const float window       = windowOf(c);
 		const bool  followsTurns = border_ != BoundaryMode::Free && border_ != BoundaryMode::Smooth;
 		std::vector<char> corners(c.pointNum(), 0);
-		if (onCrease)
-			corners = findCreaseCorners(c, turn, window);
+		if (!isOfBorder(c))
+			corners = findCreaseCorners(c, window);
 		else if (followsTurns)
-			corners = findTurns(c, turn, window);
+			corners = findTurns(c, window);
 		for (int i = 0; i < c.pointNum(); ++i)
 			corners[i] = corners[i] || isStop(c.vertex[i]);
 		return corners;
@@ -452,14 +388,14 @@ private:
 
 	void sampleLoop(const Curve& c)
 	{
-		const std::vector<float> turn     = turnsOver(c, windowOf(c));
-		const std::vector<char>  isCorner = cornersOfLoop(c, turn);
-		std::vector<float>       stops;
+		const std::vector<char> isCorner = cornersOfLoop(c);
+		std::vector<float>      stops;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if (isCorner[i]) stops.push_back(c.arc[i]);
 		}
 		const bool hasCorners = !stops.empty();
 		if (!hasCorners) { // the loop begins at its sharpest turn
+			const std::vector<float> turn = turnsOver(c, windowOf(c));
 			stops.push_back(c.arc[std::max_element(turn.begin(), turn.end()) - turn.begin()]);
 		}
 		const int n = int(stops.size());
@@ -469,9 +405,7 @@ private:
 			const float from = stops[i];
 			const float to   = i + 1 < n ? stops[i + 1] : stops[0] + c.length;
 			put(c, from, hasCorners);
-			workers_.poll();
-			for (float s : spaceOut(c, from, to, wanted_, minSteps))
-				put(c, s, false);
+			sampleBetween(c, from, to, minSteps);
 		}
 	}
 
@@ -482,7 +416,7 @@ private:
 	void addSharedStops(int index)
 	{
 		const Curve&            c        = out_.curves[index];
-		const std::vector<char> isCorner = cornersOfLoop(c, turnsOver(c, windowOf(c)));
+		const std::vector<char> isCorner = cornersOfLoop(c);
 		int                     stopNum  = 0;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if (isCorner[i] && shared_->isOnShared(index, i)) shared_->addStop(index, i);
@@ -508,7 +442,7 @@ private:
 	/// shared segments.
 	std::vector<int> sharedStops(const Curve& c) const
 	{
-		const std::vector<char> isCorner = cornersOfLoop(c, turnsOver(c, windowOf(c)));
+		const std::vector<char> isCorner = cornersOfLoop(c);
 		std::vector<int>        stops;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			const bool isOwn = isCorner[i] && !shared_->isOnShared(index_, i);
@@ -528,7 +462,7 @@ private:
 			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
 			out_.samples.back().point.position = c.point[from];
 			if (!shared_->isShared(index_, from))
-				sampleAlone(c, from, to);
+				sampleBetween(c, c.arcOf(from), c.arcOf(to), 1);
 			else if (shared_->isSampled(index_, from))
 				takeShared(c, from, to);
 			else
@@ -536,18 +470,12 @@ private:
 		}
 	}
 
-	void sampleAlone(const Curve& c, int from, int to)
-	{
-		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1))
-			put(c, s, false);
-	}
-
 	/// Samples the points from `from` to `to` for all curves that share this stretch.
 	void sampleShared(const Curve& c, int from, int to)
 	{
 		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1)) {
 			const int   segment = c.segmentAt(s);
-			const float extent  = c.arcOf(segment + 1) - c.arc[segment];
+			const float extent  = c.lengthOf(segment);
 			put(c, s, true);
 			CurveSample& sample = out_.samples.back();
 			sample.isShared     = true;
@@ -565,13 +493,13 @@ private:
 	{
 		for (int i = from; i < to; ++i) {
 			const int   segment = i % c.pointNum();
-			const float extent  = c.arcOf(segment + 1) - c.arc[segment];
+			const float extent  = c.lengthOf(segment);
 			shared_->forEachSample(index_, segment, [&](float share, const Vec3f& position) {
 				put(c, c.arc[segment] + share * extent, true);
 				CurveSample& sample   = out_.samples.back();
 				sample.isShared       = true;
 				sample.point.position = position;
-				sample.point.face     = c.face[segment];
+				sample.point.face     = c.halfEdge[segment] / 3;
 			});
 		}
 	}
@@ -583,14 +511,14 @@ private:
 	}
 
 	/// Index of the mark nearest to arc s; the marks are sorted by arc.
-	int nearestMark(const Curve& c, float s) const
+	static int nearestMark(const Curve& c, const std::vector<Mark>& marks, float s)
 	{
-		const auto above = std::lower_bound(marks_.begin(), marks_.end(), Mark{s, 0});
-		const int  n     = int(marks_.size());
-		const int  high  = int(above - marks_.begin());
+		const auto above = std::lower_bound(marks.begin(), marks.end(), Mark{s, 0});
+		const int  n     = int(marks.size());
+		const int  high  = int(above - marks.begin());
 		const int  next = high % n, last = (high + n - 1) % n;
-		return arcDistance(c, marks_[next].arc, s) < arcDistance(c, marks_[last].arc, s) ? next
-																						 : last;
+		return arcDistance(c, marks[next].arc, s) < arcDistance(c, marks[last].arc, s) ? next
+																					   : last;
 	}
 
 	bool isOfNode(const CurveSample& sample) const
@@ -599,17 +527,19 @@ private:
 	}
 
 	/// Assigns to every point of the curve its nearest sample, and to every sample the nearest of
-	/// its points.
-	void finish(const Curve& c)
+	/// its points. marks: of the nodes at the ends of an open curve.
+	void finish(const Curve& c, std::vector<Mark> marks)
 	{
-		std::sort(marks_.begin(), marks_.end());
+		for (std::size_t s = firstSample_; s < out_.samples.size(); ++s)
+			marks.push_back({out_.samples[s].arc, int(s)});
+		std::sort(marks.begin(), marks.end());
 		std::vector<int>   owner(c.pointNum());
-		std::vector<float> distance(marks_.size(), HUGE_VALF);
+		std::vector<float> distance(marks.size(), HUGE_VALF);
 		for (int i = 0; i < c.pointNum(); ++i) {
-			const int    k      = nearestMark(c, c.arc[i]);
-			CurveSample& sample = out_.samples[marks_[k].sample];
-			owner[i]            = marks_[k].sample;
-			const float d       = arcDistance(c, marks_[k].arc, c.arc[i]);
+			const int    k      = nearestMark(c, marks, c.arc[i]);
+			CurveSample& sample = out_.samples[marks[k].sample];
+			owner[i]            = marks[k].sample;
+			const float d       = arcDistance(c, marks[k].arc, c.arc[i]);
 			if (d >= distance[k] || isOfNode(sample)) continue;
 			distance[k]     = d;
 			sample.vertex   = c.vertex[i];
@@ -668,11 +598,27 @@ int nextOnCrease(const HalfEdgeMesh& m, int h)
 	return next;
 }
 
-std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
+/// Border loops; then feature lines from node to node, then closed feature lines; each in the order
+/// of their first vertex.
+std::vector<Curve> traceCurves(const HalfEdgeMesh& m)
 {
-	std::vector<Curve> curves  = traceBorder(mesh);
-	std::vector<Curve> creases = traceCreases(mesh);
-	std::move(creases.begin(), creases.end(), std::back_inserter(curves));
+	std::vector<Curve> curves;
+	std::vector<bool>  seen(m.halfEdgeNum(), false);
+	const auto         trace = [&](int h) {
+        if (!seen[h]) curves.push_back(traceFrom(m, h, seen));
+	};
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (m.outgoing[v] >= 0 && m.isBorderVertex(v)) trace(m.outgoing[v]);
+	}
+	const std::vector<int> onCreases = creaseVertices(m);
+	for (bool fromNodes : {true, false}) {
+		for (int v : onCreases) {
+			if (isCreaseNode(m, v) != fromNodes) continue;
+			forEachOutgoing(m, v, [&](int h) {
+				if (m.isCreaseEdge(h)) trace(h);
+			});
+		}
+	}
 	return curves;
 }
 
@@ -690,11 +636,7 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 		addSizes(surface, c);
 	workers.poll();
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result, workers);
-	if (border == BoundaryMode::Smooth) {
-		const bool          isAlone = !sharesBorders;
-		const SharedBorders before(m, isAlone ? std::vector<Curve>() : result.curves);
-		sampler.smoothBorders(isAlone ? nullptr : &before);
-	}
+	if (border == BoundaryMode::Smooth) sampler.smoothBorders(sharesBorders);
 	if (sharesBorders && border != BoundaryMode::Keep) sampler.shareBorders();
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)

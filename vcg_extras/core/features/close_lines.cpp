@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <queue>
 #include <set>
 #include <utility>
@@ -34,11 +35,6 @@ constexpr int maxCrossings = 500;
 struct Crossing {
 	int   from, to; ///< segments
 	float distance; ///< divided by borderRatio beside a border
-
-	bool operator<(const Crossing& other) const
-	{
-		return std::make_pair(from, to) < std::make_pair(other.from, other.to);
-	}
 };
 
 class CloseLines {
@@ -74,10 +70,10 @@ private:
 	std::vector<int>    halfEdge_; ///< per segment
 	std::vector<int>    curve_;    ///< per segment
 	/// Pairs of half-edge and segment, for both halves of each edge, ascending.
-	std::vector<std::pair<int, int>> segmentOf_;
-	std::set<std::pair<int, int>>    nodes_;    ///< pairs of vertex and curve with an end there
-	std::vector<Crossing>            crossing_; ///< in both directions, ascending
-	std::vector<char>                isKept_;   ///< per segment
+	std::vector<std::pair<int, int>>   segmentOf_;
+	std::map<int, std::set<int>>       curvesAt_;    ///< per vertex: curves with an end there
+	std::vector<std::vector<Crossing>> crossingsOf_; ///< per segment; each in both directions
+	std::vector<char>                  isKept_;      ///< per segment
 
 	using Candidate = std::pair<float, int>; ///< strength and minus the curve
 	std::priority_queue<Candidate> joining_;
@@ -89,19 +85,15 @@ private:
 	{
 		for (int c = 0; c < int(curves_.size()); ++c) {
 			first_.push_back(int(halfEdge_.size()));
-			const int n = curves_[c].pointNum() - (curves_[c].isClosed ? 0 : 1);
-			for (int i = 0; i < n; ++i)
-				addSegment(c, i);
+			for (int h : curves_[c].halfEdge)
+				addSegment(c, h);
 		}
 		first_.push_back(int(halfEdge_.size()));
 		std::sort(segmentOf_.begin(), segmentOf_.end());
 	}
 
-	void addSegment(int c, int i)
+	void addSegment(int c, int h)
 	{
-		int h = 3 * curves_[c].face[i];
-		while (m_.origin[h] != curves_[c].vertex[i])
-			++h;
 		const int segment = int(halfEdge_.size());
 		halfEdge_.push_back(h);
 		curve_.push_back(c);
@@ -114,7 +106,7 @@ private:
 		return std::lower_bound(segmentOf_.begin(), segmentOf_.end(), std::make_pair(h, 0))->second;
 	}
 
-	bool isBorder(int c) const { return m_.opposite[halfEdge_[first_[c]]] < 0; }
+	bool isBorder(int c) const { return m_.isBorderEdge(curves_[c].halfEdge[0]); }
 
 	Vec3f middle(int s) const
 	{
@@ -131,10 +123,13 @@ private:
 	{
 		for (int c = 0; c < int(curves_.size()); ++c) {
 			const std::vector<int>& v = curves_[c].vertex;
-			if (!curves_[c].isClosed) nodes_.insert({{v.front(), c}, {v.back(), c}});
+			if (!curves_[c].isClosed) {
+				curvesAt_[v.front()].insert(c);
+				curvesAt_[v.back()].insert(c);
+			}
 			if (!isBorder(c)) continue;
 			for (int w : v) {
-				if (m_.isCreaseVertex(w)) nodes_.insert({w, c});
+				if (m_.isCreaseVertex(w)) curvesAt_[w].insert(c);
 			}
 		}
 	}
@@ -143,15 +138,15 @@ private:
 
 	void findCrossings()
 	{
-		crossing_ = workers_.collectEach<Crossing>(segmentOf_.size(), [&](int i, auto& out) {
-			cross(segmentOf_[i].first, segmentOf_[i].second, out);
-		});
-		const std::size_t num = crossing_.size();
-		for (std::size_t i = 0; i < num; ++i) {
-			const Crossing c = crossing_[i];
-			crossing_.push_back({c.to, c.from, c.distance});
+		const std::vector<Crossing> all =
+			workers_.collectEach<Crossing>(segmentOf_.size(), [&](int i, auto& out) {
+				cross(segmentOf_[i].first, segmentOf_[i].second, out);
+			});
+		crossingsOf_.resize(halfEdge_.size());
+		for (const Crossing& c : all) {
+			crossingsOf_[c.from].push_back(c);
+			crossingsOf_[c.to].push_back({c.to, c.from, c.distance});
 		}
-		std::stable_sort(crossing_.begin(), crossing_.end());
 	}
 
 	/// Adds the crossing from h to the first line within reach.
@@ -225,9 +220,8 @@ private:
 		const std::vector<int>  ends = {v.front(), v.back()};
 		for (int k : {0, 1}) {
 			if (!isKept_[k == 0 ? first_[c] : first_[c + 1] - 1]) continue;
-			for (auto n = nodes_.lower_bound({ends[k], 0});
-				 n != nodes_.end() && n->first == ends[k]; ++n) {
-				if (!isBorder(n->second)) joining_.push({strength(n->second), -n->second});
+			for (int d : curvesAt_[ends[k]]) {
+				if (!isBorder(d)) joining_.push({strength(d), -d});
 			}
 		}
 	}
@@ -256,9 +250,8 @@ private:
 	float distanceFromKept(int s) const
 	{
 		float nearest = HUGE_VALF;
-		for (auto c = std::lower_bound(crossing_.begin(), crossing_.end(), Crossing{s, 0, 0});
-			 c != crossing_.end() && c->from == s; ++c) {
-			if (c->distance < nearest && isKept_[c->to] && !diverge(*c)) nearest = c->distance;
+		for (const Crossing& c : crossingsOf_[s]) {
+			if (c.distance < nearest && isKept_[c.to] && !diverge(c)) nearest = c.distance;
 		}
 		return nearest;
 	}
@@ -271,7 +264,7 @@ private:
 		if (curves_[c].isClosed) return false;
 		const std::vector<int>& v = curves_[c].vertex;
 		for (int node : {v.front(), v.back()}) {
-			if (nodes_.count({node, d}) == 0) continue;
+			if (curvesAt_.at(node).count(d) == 0) continue;
 			if (x.distance > minSlope * length(middle(x.from) - m_.position[node])) return true;
 		}
 		return false;

@@ -56,14 +56,11 @@ void CreaseClearance::findSteepest(const std::vector<int>& edges, Workers& worke
 			isAsked[face] = true;
 		}
 	}
-	const auto find = [&](std::size_t begin, std::size_t end, std::vector<Beside>& out) {
-		for (int h = int(begin); h < int(end); ++h) {
-			if (isBeside(h, isAsked))
-				out.push_back({surface_.sourceFace[h / 3], dihedralAngle(m_, h)});
-		}
-	};
 	steepest_.assign(isAsked.size(), none);
-	for (const Beside& b : workers.collect<Beside>(m_.halfEdgeNum(), find))
+	const auto find = [&](int h, auto& out) {
+		if (isBeside(h, isAsked)) out.push_back({surface_.sourceFace[h / 3], dihedralAngle(m_, h)});
+	};
+	for (const Beside& b : workers.collectEach<Beside>(m_.halfEdgeNum(), find))
 		steepest_[b.face] = std::max(steepest_[b.face], b.angle);
 }
 

@@ -8,6 +8,7 @@
 
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/portable_math.h>
+#include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,20 +92,15 @@ private:
 		});
 	}
 
+	/// Whether the faces of h meet at an angle whose cosine is at most `cosine`.
 	bool isSharp(int h, float cosine) const
 	{
 		const Vec3f a = m_.position[m_.origin[h]], ab = m_.position[m_.target(h)] - a;
 		const Vec3f own   = cross(ab, m_.position[m_.apex(h)] - a);
 		const Vec3f other = cross(m_.position[m_.apex(m_.opposite[h])] - a, ab);
-		return isSharper(own, other, cosine);
-	}
-
-	/// Whether faces with these cross products meet at an angle whose cosine is at most `cosine`.
-	static bool isSharper(const Vec3f& a, const Vec3f& b, float cosine)
-	{
 		// In double: as floats, the fourth powers of short edges would vanish.
-		const double scale = double(squaredLength(a)) * double(squaredLength(b));
-		const double d     = double(dot(a, b));
+		const double scale = double(squaredLength(own)) * double(squaredLength(other));
+		const double d     = double(dot(own, other));
 		if (!(scale > 0)) return false;
 		if (cosine > 0 && d > 0) return d * d <= double(cosine) * double(cosine) * scale;
 		return d <= double(cosine) * std::sqrt(scale);
@@ -141,19 +137,6 @@ private:
 
 	// ---- noise
 
-	/// Total length of edges, and the length clear of noise.
-	struct Lengths {
-		double all = 0, clear = 0;
-
-		Lengths& operator+=(const Lengths& other)
-		{
-			all += other.all;
-			clear += other.clear;
-			return *this;
-		}
-		bool areNoise() const { return clear < clearShare * all; }
-	};
-
 	/// Whether the edges found look like noise. Components are built only if the single edges do
 	/// not show noise: a scan has many crease edges, and there the single edges show noise.
 	bool looksLikeNoise(const std::vector<int>& sharp) const
@@ -161,22 +144,26 @@ private:
 		if (sharp.empty()) return false;
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
-		if (lengthsOf(sharp, isClear).areNoise()) return true;
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp);
+		if (areNoise(sharp, isClear)) return true;
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents();
 		const float                           least    = clearLength * meanEdge();
 		const auto                            stands   = [&](int h) {
-            return extentAt.at(m_.origin[h]).length >= least && isClear(h);
+            return float(extentAt.at(m_.origin[h]).length) >= least && isClear(h);
 		};
-		return lengthsOf(sharp, stands).areNoise();
+		return areNoise(sharp, stands);
 	}
 
+	/// Whether too little of the length of some edges is clear of noise.
 	template <class IsClear>
-	Lengths lengthsOf(const std::vector<int>& edges, const IsClear& isClear) const
+	bool areNoise(const std::vector<int>& edges, const IsClear& isClear) const
 	{
-		return workers_.sumEach<Lengths>(edges.size(), [&](int i, Lengths& sum) {
-			const double l = double(m_.edgeLength(edges[i]));
-			sum += {l, isClear(edges[i]) ? l : 0};
+		const auto   lengthOf = [&](int i) { return double(m_.edgeLength(edges[i])); };
+		const double all =
+			workers_.sumEach<double>(edges.size(), [&](int i, double& sum) { sum += lengthOf(i); });
+		const double clear = workers_.sumEach<double>(edges.size(), [&](int i, double& sum) {
+			if (isClear(edges[i])) sum += lengthOf(i);
 		});
+		return clear < clearShare * all;
 	}
 
 	bool isSplit() const { return rules_.callersMeanEdge > 0; }
@@ -195,53 +182,29 @@ private:
 
 	/// The connected lines at a vertex.
 	struct Extent {
-		float length = -1;
-		int   endNum = 0; ///< free ends
+		double length = 0;
+		int    endNum = 0; ///< free ends
 	};
 
-	/// The extent for every vertex of the edges, which are all marked.
-	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges) const
+	/// The extent for every vertex of the marked edges.
+	std::unordered_map<int, Extent> extentOfComponents() const
 	{
+		std::unordered_map<int, int> parent;
+		std::vector<int>             vertices;
+		for (int h : edges_) {
+			for (int v : {m_.origin[h], m_.target(h)}) {
+				if (parent.insert({v, v}).second) vertices.push_back(v);
+			}
+			joinSets(parent, m_.origin[h], m_.target(h));
+		}
 		std::unordered_map<int, Extent> extentAt;
-		std::vector<int>                component;
-		for (int h : edges)
-			extentAt[m_.origin[h]] = extentAt[m_.target(h)] = Extent();
-		for (int start : edges) {
-			if (extentAt[m_.origin[start]].length >= 0) continue;
-			component.clear();
-			const Extent all = extentFrom(m_.origin[start], extentAt, component);
-			for (int v : component)
-				extentAt[v] = all;
-		}
+		for (int h : edges_)
+			extentAt[rootOf(parent, m_.origin[h])].length += double(m_.edgeLength(h));
+		for (int v : vertices)
+			extentAt[rootOf(parent, v)].endNum += isFreeEnd(v);
+		for (int v : vertices)
+			extentAt[v] = extentAt[rootOf(parent, v)];
 		return extentAt;
-	}
-
-	/// Collects the vertices linked to v, and gives each a length of 0 as the mark of a seen
-	/// vertex.
-	Extent extentFrom(int v, std::unordered_map<int, Extent>& seen,
-					  std::vector<int>& component) const
-	{
-		double           length = 0;
-		Extent           all;
-		std::vector<int> stack = {v};
-		seen[v].length         = 0;
-		while (!stack.empty()) {
-			v = stack.back();
-			stack.pop_back();
-			component.push_back(v);
-			all.endNum += isFreeEnd(v);
-			forEachOutgoing(m_, v, [&](int h) {
-				if (!m_.isCreaseEdge(h)) return;
-				const double half = 0.5 * double(m_.edgeLength(h)); // seen from both ends
-				length += half;
-				Extent& next = seen[m_.target(h)];
-				if (next.length >= 0) return;
-				next.length = 0;
-				stack.push_back(m_.target(h));
-			});
-		}
-		all.length = float(length);
-		return all;
 	}
 
 	// ---- growing
@@ -297,7 +260,7 @@ private:
 
 	void dropShortOnes()
 	{
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_);
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents();
 		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
 		std::vector<int> spurs;
 		for (int h : edges_) {
@@ -325,8 +288,9 @@ private:
 
 	bool isLongEnough(const Extent& line) const
 	{
-		if (line.length >= rules_.minLength) return true;
-		return line.length >= rules_.minLoop && line.endNum == 0;
+		const float all = float(line.length);
+		if (all >= rules_.minLength) return true;
+		return all >= rules_.minLoop && line.endNum == 0;
 	}
 
 	template <class Keep>

@@ -89,6 +89,34 @@ float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
 	return std::max(deviationBy(curves, v, room, {v.arc}), tolerance * result.idealEdge * size);
 }
 
+/// Normal of the working surface beside the curve at arc s, on the left of the direction of growing
+/// arcs, or on the right.
+Vec3f normalBeside(const HalfEdgeMesh& input, const Curve& c, float s, bool left)
+{
+	const int along = c.halfEdge[c.segmentAt(s)];
+	const int h     = left ? along : input.opposite[along];
+	return h >= 0 ? input.faceNormal(h / 3) : Vec3f();
+}
+
+/// Normal of the working surface on the side of h, looked up at v, an end of h; zero if v never
+/// moves along its line.
+Vec3f normalBesideEdge(const Surface& surface, const BoundaryCurves& curves, const ResultMesh& r,
+					   int h, int v)
+{
+	const ResultVertex& here = r.vertex[v];
+	if (here.curve < 0 || r.mesh.isBorderVertex(v)) return {};
+	const SlideRoom room = slideRoom(r, curves, v);
+	if (!room.isOpen()) return {};
+	const Curve& c         = curves.curves[here.curve];
+	const int    w         = r.mesh.origin[h] == v ? r.mesh.target(h) : r.mesh.origin[h];
+	const Vec3f  place     = r.vertex[w].point.position;
+	const float  toForward = squaredLength(c.at(here.arc + room.forward) - place);
+	const float  toBack    = squaredLength(c.at(here.arc - room.backward) - place);
+	const bool   forward   = toForward <= toBack;
+	const float  middle    = here.arc + 0.5f * (forward ? room.forward : -room.backward);
+	return normalBeside(surface.mesh, c, middle, forward == (r.mesh.origin[h] == v));
+}
+
 } // namespace
 
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
@@ -142,9 +170,21 @@ ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const Re
 	const Curve& c     = curves.curves[vertex.curve];
 	ResultVertex moved = vertex;
 	moved.arc          = c.wrap(vertex.arc + step);
-	moved.point        = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
+	moved.point        = {c.at(moved.arc), c.faceAt(moved.arc)};
 	moved.normal       = surface.mesh.faceNormal(moved.point.face);
 	return moved;
+}
+
+float creaseAgreement(const Surface& surface, const BoundaryCurves& curves,
+					  const ResultMesh& result, int h)
+{
+	const HalfEdgeMesh& m = result.mesh;
+	if (!m.isCreaseEdge(h)) return 1;
+	for (int v : {m.origin[h], m.target(h)}) {
+		const Vec3f wanted = normalBesideEdge(surface, curves, result, h, v);
+		if (squaredLength(wanted) > 0) return dot(wanted, m.faceNormal(h / 3));
+	}
+	return 1;
 }
 
 } // namespace gpr

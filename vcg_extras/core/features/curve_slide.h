@@ -50,6 +50,12 @@ bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, i
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);
 
+/// Normal agreement of the face of half-edge h on a feature line: the cosine of the angle to the
+/// face of the working surface on the same side of the line, halfway between the ends of h. 1 if h
+/// is on no feature line, or if neither end can slide along a line.
+float creaseAgreement(const Surface& surface, const BoundaryCurves& curves,
+					  const ResultMesh& result, int h);
+
 } // namespace gpr
 
 #endif

@@ -6,6 +6,8 @@
 
 #include <vcg_extras/core/surface/walk.h>
 
+#include <vector>
+
 namespace gpr {
 
 namespace {
@@ -14,31 +16,22 @@ namespace {
 /// edge.
 constexpr float farthestOff = 0.25f;
 
-/// Keeps, of all points offered, the point nearest to the straight middle of an edge.
-class NearestToMiddle {
-public:
-	NearestToMiddle(const HalfEdgeMesh& m, int a, int b, ResultVertex& middle) :
-			straight_((m.position[a] + m.position[b]) * 0.5f),
-			nearest_(farthestOff * length(m.position[b] - m.position[a])), middle_(middle)
-	{
+/// Sets `middle` to the point nearest to the straight middle of an edge. False if none is near.
+bool takeNearest(const HalfEdgeMesh& m, int a, int b, const std::vector<ResultVertex>& points,
+				 ResultVertex& middle)
+{
+	const Vec3f straight = (m.position[a] + m.position[b]) * 0.5f;
+	float       nearest  = farthestOff * length(m.position[b] - m.position[a]);
+	bool        found    = false;
+	for (const ResultVertex& point : points) {
+		const float off = length(point.point.position - straight);
+		if (off >= nearest) continue;
+		nearest = off;
+		middle  = point;
+		found   = true;
 	}
-
-	void offer(const ResultVertex& trial)
-	{
-		const float off = length(trial.point.position - straight_);
-		if (off >= nearest_) return;
-		nearest_ = off;
-		middle_  = trial;
-		found_   = true;
-	}
-	bool found() const { return found_; }
-
-private:
-	Vec3f         straight_;
-	float         nearest_;
-	ResultVertex& middle_;
-	bool          found_ = false;
-};
+	return found;
+}
 
 /// Sets `middle` to a point of the surface halfway from a to b, by a walk that starts at `from`.
 /// False if the walk stops early or ends much nearer to one end than half the edge.
@@ -61,13 +54,13 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
 bool findMiddleFromCrease(const Surface& surface, const ResultMesh& result, int a, int b,
 						  ResultVertex& middle)
 {
-	const HalfEdgeMesh& m = result.mesh;
-	NearestToMiddle     nearest(m, a, b, middle);
+	const HalfEdgeMesh&       m = result.mesh;
+	std::vector<ResultVertex> points;
 	for (int face : facesAt(surface.mesh, result.vertex[a].point)) {
 		ResultVertex trial;
-		if (walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) nearest.offer(trial);
+		if (walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) points.push_back(trial);
 	}
-	return nearest.found();
+	return takeNearest(m, a, b, points, middle);
 }
 
 } // namespace
@@ -86,7 +79,7 @@ bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
 bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
 					   const ResultMesh& result, int a, int b, ResultVertex& middle)
 {
-	NearestToMiddle nearest(result.mesh, a, b, middle);
+	std::vector<ResultVertex> points;
 	for (int v : {a, b}) {
 		const SlideRoom room = slideRoom(result, curves, v);
 		for (float by : {0.5f * room.forward, -0.5f * room.backward}) {
@@ -94,10 +87,10 @@ bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
 			ResultVertex trial = slid(surface, curves, result.vertex[v], by);
 			trial.isCorner = trial.isShared = trial.isPinned = false;
 			trial.sample                                     = -1;
-			nearest.offer(trial);
+			points.push_back(trial);
 		}
 	}
-	return nearest.found();
+	return takeNearest(result.mesh, a, b, points, middle);
 }
 
 } // namespace gpr

@@ -119,8 +119,7 @@ private:
 		});
 		marked_ = workers_.collectIf(m_.halfEdgeNum(),
 									 [&](int h) { return isMarked(h) && isFirstHalf(h); });
-		degree_.reset(m_.vertexNum);
-		degree_.fill(0);
+		degree_ = Buffer<std::uint8_t>(m_.vertexNum, 0);
 		for (int h : marked_)
 			countEnds(h, 1);
 	}
@@ -225,31 +224,28 @@ private:
 	void bridgeGaps()
 	{
 		const std::size_t num = marked_.size();
-		std::vector<int>  path;
 		for (std::size_t i = 0; i < num; ++i) {
 			const int h = marked_[i];
 			for (int last : {h, m_.opposite[h]}) {
-				if (degree_[m_.target(last)] != 1 || !findBridge(last, path)) continue;
-				for (int step : path)
+				if (degree_[m_.target(last)] != 1) continue;
+				for (int step : bridgeFrom(last))
 					mark(step);
 			}
 		}
 	}
 
-	/// Finds the path from the end of half-edge `last` to another marked edge.
-	bool findBridge(int last, std::vector<int>& path) const
+	/// The path from the end of half-edge `last` to another marked edge; empty if there is none.
+	std::vector<int> bridgeFrom(int last) const
 	{
-		path.clear();
-		float lengthLeft = out_.support;
-		for (;;) {
-			const int next = bestStep(last);
-			if (next < 0) return false;
+		std::vector<int> path;
+		float            lengthLeft = out_.support;
+		for (int next = bestStep(last); next >= 0; next = bestStep(next)) {
 			lengthLeft -= m_.edgeLength(next);
-			if (lengthLeft < 0) return false;
+			if (lengthLeft < 0) break;
 			path.push_back(next);
-			if (degree_[m_.target(next)] > 0) return true;
-			last = next;
+			if (degree_[m_.target(next)] > 0) return path;
 		}
+		return {};
 	}
 
 	/// The sharpest edge ahead; -1 if no edge ahead is as strong as weakDeg.
@@ -271,32 +267,29 @@ private:
 	/// Drops branches with a free end that are shorter than a support.
 	void pruneSpurs()
 	{
-		std::vector<int> path;
-		for (std::size_t i = 0; i < marked_.size(); ++i) {
-			const int h = marked_[i];
-			if (!isMarked(h)) continue;
+		for (int h : marked_) {
 			for (int first : {h, m_.opposite[h]}) {
-				if (degree_[m_.origin[first]] != 1 || !isSpur(first, path)) continue;
-				for (int step : path)
+				if (!isMarked(h) || degree_[m_.origin[first]] != 1) continue;
+				for (int step : spurFrom(first))
 					unmark(step);
-				break;
 			}
 		}
 		dropUnmarked();
 	}
 
-	/// Whether the line from half-edge `first`, at a free end, meets a fork within a support.
-	bool isSpur(int first, std::vector<int>& path) const
+	/// The line from half-edge `first`, at a free end, to a fork; empty if no fork is within a
+	/// support.
+	std::vector<int> spurFrom(int first) const
 	{
-		path.clear();
-		float lengthLeft = out_.support;
+		std::vector<int> path;
+		float            lengthLeft = out_.support;
 		for (int h = first; h >= 0; h = nextOnLine(h)) {
 			path.push_back(h);
 			lengthLeft -= m_.edgeLength(h);
-			if (lengthLeft < 0) return false;
-			if (degree_[m_.target(h)] > 2) return true;
+			if (lengthLeft < 0) break;
+			if (degree_[m_.target(h)] > 2) return path;
 		}
-		return false;
+		return {};
 	}
 
 	/// The next half-edge of the line; -1 at its end or at a fork.
@@ -316,11 +309,10 @@ private:
 	/// enough.
 	void keepStrongLines()
 	{
-		std::vector<int>     line, front;
 		Buffer<std::uint8_t> seen(m_.vertexNum, 0);
 		for (int start : marked_) {
 			if (seen[m_.origin[start]]) continue;
-			collectLine(m_.origin[start], seen, front, line);
+			const std::vector<int> line = lineAt(m_.origin[start], seen);
 			if (isKept(line)) {
 				++out_.lineNum;
 				continue;
@@ -332,12 +324,10 @@ private:
 		out_.edgeNum = std::int64_t(marked_.size());
 	}
 
-	/// Collects one half-edge of each marked edge connected to v.
-	void collectLine(int v, Buffer<std::uint8_t>& seen, std::vector<int>& front,
-					 std::vector<int>& line) const
+	/// One half-edge of each marked edge connected to v.
+	std::vector<int> lineAt(int v, Buffer<std::uint8_t>& seen) const
 	{
-		line.clear();
-		front.assign(1, v);
+		std::vector<int> line, front = {v};
 		seen[v] = 1;
 		for (std::size_t i = 0; i < front.size(); ++i) {
 			forEachMarkedAt(front[i], [&](int h) {
@@ -348,6 +338,7 @@ private:
 				front.push_back(w);
 			});
 		}
+		return line;
 	}
 
 	bool isKept(const std::vector<int>& line) const
@@ -364,8 +355,7 @@ private:
 
 	void markCorners()
 	{
-		out_.vertexFeature.reset(m_.vertexNum);
-		out_.vertexFeature.fill(0);
+		out_.vertexFeature = Buffer<std::uint8_t>(m_.vertexNum, 0);
 		Buffer<float> turn(m_.vertexNum, 0);
 		for (int h : marked_) {
 			for (int v : {m_.origin[h], m_.target(h)}) {

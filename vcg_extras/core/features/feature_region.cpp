@@ -63,24 +63,18 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& region,
 								 const Surface& surface, Workers& workers)
 {
-	return workers.collectEach<int>(region.size(), [&](int v, auto& part) {
-		if (region[v] && callersVertexAt(input, surface, v) >= 0) part.push_back(v);
-	});
+	return workers.collectIf(
+		region.size(), [&](int v) { return region[v] && callersVertexAt(input, surface, v) >= 0; });
 }
 
 std::vector<int> borderVertices(const MeshView& input, const Surface& surface, Workers& workers)
 {
 	const HalfEdgeMesh& m = surface.mesh;
-	Buffer<char>        onBorder(m.vertexNum);
-	for (int v = 0; v < m.vertexNum; ++v)
-		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
-	std::vector<int> vertices = callersVertices(input, onBorder, surface, workers);
-	if (input.keptBorder == nullptr) return vertices;
-	const auto isNotKept = [&](int v) {
-		return input.keptBorder[callersVertexAt(input, surface, v)] == 0;
-	};
-	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isNotKept), vertices.end());
-	return vertices;
+	return workers.collectIf(m.vertexNum, [&](int v) {
+		if (m.outgoing[v] < 0 || !m.isBorderVertex(v)) return false;
+		const std::int32_t own = callersVertexAt(input, surface, v);
+		return own >= 0 && (input.keptBorder == nullptr || input.keptBorder[own] != 0);
+	});
 }
 
 std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b)

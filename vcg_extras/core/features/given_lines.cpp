@@ -4,6 +4,8 @@
 
 #include <vcg_extras/core/mesh/same_place.h>
 
+#include <algorithm>
+
 namespace gpr {
 
 namespace {
@@ -48,6 +50,15 @@ bool isGivenLine(const MeshView& input, const Surface& surface, int h)
 		   (isLineBetween(input, scale, f, g) || isLineBetween(input, scale, g, f));
 }
 
+/// The number of common vertices of the input faces f and g.
+int commonCorners(const MeshView& input, int f, int g)
+{
+	const auto a = input.triangle(std::size_t(f)), b = input.triangle(std::size_t(g));
+	return int(std::count_if(a.begin(), a.end(), [&](std::int32_t v) {
+		return std::find(b.begin(), b.end(), v) != b.end();
+	}));
+}
+
 } // namespace
 
 bool hasGivenLines(const MeshView& input)
@@ -58,20 +69,27 @@ bool hasGivenLines(const MeshView& input)
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface)
 {
 	if (!hasGivenLines(input)) return 0;
-	HalfEdgeMesh& m = surface.mesh;
-	Buffer<char>  crease(m.halfEdgeNum());
-	const auto    mark = [&](std::size_t begin, std::size_t end) {
-        std::int64_t added = 0;
-        for (std::size_t h = begin; h < end; ++h) {
-            const bool was = m.isCreaseEdge(int(h));
-            crease[h]      = was || isGivenLine(input, surface, int(h));
-            added += crease[h] && !was;
-        }
-        return added;
-	};
-	const std::int64_t halves = workers.sum<std::int64_t>(crease.size(), mark);
+	HalfEdgeMesh&      m = surface.mesh;
+	Buffer<char>       crease(m.halfEdgeNum());
+	const std::int64_t halves =
+		workers.sumEach<std::int64_t>(crease.size(), [&](int h, std::int64_t& added) {
+			const bool was = m.isCreaseEdge(h);
+			crease[h]      = was || isGivenLine(input, surface, h);
+			added += crease[h] && !was;
+		});
 	if (halves > 0) m.crease.swap(crease);
 	return halves / 2;
+}
+
+std::vector<int> findSeamEdges(const MeshView& input, const Surface& surface, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	return workers.collectIf(std::size_t(m.halfEdgeNum()), [&](int h) {
+		const int other = m.opposite[h];
+		if (other < h) return false;
+		const int f = surface.sourceFace[h / 3], g = surface.sourceFace[other / 3];
+		return f != g && commonCorners(input, f, g) < 2;
+	});
 }
 
 } // namespace gpr

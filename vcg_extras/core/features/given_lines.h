@@ -7,6 +7,7 @@
 #include <vcg_extras/core/mesh_view.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
@@ -18,6 +19,12 @@ bool hasGivenLines(const MeshView& input);
 /// no border edges. Returns the number of surface edges added. Needs: connect(). Cost: linear,
 /// parallel.
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface);
+
+/// Finds the edges of a surface along which the input mesh was sewn: the input faces on both sides
+/// have fewer than two common vertices. Returns the smaller half-edge of each edge, ascending.
+/// Needs: connected, sourceFace, and an input that was not welded as a triangle soup. Cost: linear,
+/// parallel.
+std::vector<int> findSeamEdges(const MeshView& input, const Surface& surface, Workers& workers);
 
 } // namespace gpr
 

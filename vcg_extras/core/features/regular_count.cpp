@@ -29,43 +29,25 @@ struct Side {
 	float length;
 };
 
-class Strips {
-public:
-	Strips(const HalfEdgeMesh& mesh, float angle) :
-			m_(mesh), cosine_(float(portable::cos(double(angle))))
-	{
-	}
+bool isSharp(const HalfEdgeMesh& m, float cosine, int h)
+{
+	if (m.isBorderEdge(h)) return true;
+	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(m.opposite[h] / 3);
+	return dot(a, b) < cosine * length(a) * length(b);
+}
 
-	/// The sides whose strips are narrower than reach.
-	std::vector<Side> narrowerThan(float reach, Workers& workers) const
-	{
-		return workers.collectEach<Side>(std::size_t(m_.halfEdgeNum()),
-										 [&](int h, auto& out) { addSide(h, reach, out); });
-	}
-
-private:
-	const HalfEdgeMesh& m_;
-	float               cosine_;
-
-	bool isSharp(int h) const
-	{
-		if (m_.isBorderEdge(h)) return true;
-		const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
-		return dot(a, b) < cosine_ * length(a) * length(b);
-	}
-
-	template <class Sides>
-	void addSide(int h, float reach, Sides& out) const
-	{
-		if (!isSharp(h)) return;
+/// The sides whose strips are narrower than reach. cosine: of the normals at a crease edge.
+std::vector<Side> narrowSides(const HalfEdgeMesh& m, float cosine, float reach, Workers& workers)
+{
+	return workers.collectEach<Side>(std::size_t(m.halfEdgeNum()), [&](int h, auto& out) {
+		if (!isSharp(m, cosine, h)) return;
 		float width = reach;
-		traceRay(m_, h, {0, 1}, reach, maxCrossings, [&](int exit, float at) {
-			if (at < width && isSharp(exit)) width = at;
+		traceRay(m, h, {0, 1}, reach, maxCrossings, [&](int exit, float at) {
+			if (at < width && isSharp(m, cosine, exit)) width = at;
 		});
-		if (width >= reach) return;
-		out.push_back({width, m_.edgeLength(h)});
-	}
-};
+		if (width < reach) out.push_back({width, m.edgeLength(h)});
+	});
+}
 
 /// Length along the sides with spoilt triangles of an edge length.
 double spoiltLength(const std::vector<Side>& sides, double edge)
@@ -85,10 +67,10 @@ float edgeForRegularity(const HalfEdgeMesh& mesh, double area, float edge, float
 						Workers& workers)
 {
 	constexpr int           halvings = 20;
-	const std::vector<Side> sides =
-		Strips(mesh, angle).narrowerThan(float(neverSpoilt) * edge, workers);
-	const auto isRegular = [&](double at) {
-		return at * spoiltLength(sides, at) * std::sqrt(3.0) / 4 <= mostSpoilt * area;
+	const float             cosine   = float(portable::cos(double(angle)));
+	const std::vector<Side> sides = narrowSides(mesh, cosine, float(neverSpoilt) * edge, workers);
+	const auto              isRegular = [&](double at) {
+        return at * spoiltLength(sides, at) * std::sqrt(3.0) / 4 <= mostSpoilt * area;
 	};
 	double low = 0, high = double(edge);
 	if (isRegular(high)) return edge;

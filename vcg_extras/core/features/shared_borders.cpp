@@ -16,11 +16,6 @@ Position positionOf(const Vec3f& p)
 	return {p.x, p.y, p.z};
 }
 
-bool isOfBorder(const HalfEdgeMesh& m, const Curve& c)
-{
-	return c.isClosed && m.isBorderEdge(m.outgoing[c.vertex[0]]);
-}
-
 } // namespace
 
 SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves)
@@ -28,7 +23,7 @@ SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>&
 	numberPlaces(mesh, curves);
 	for (int c = 0; c < int(place_.size()); ++c) {
 		for (int i = 0; i < int(place_[std::size_t(c)].size()); ++i)
-			line_[std::minmax({placeAt(c, i), placeAt(c, i + 1)})].curves.push_back(c);
+			line_[endsOf(c, i)].curves.push_back(c);
 	}
 	findStops();
 }
@@ -38,7 +33,7 @@ void SharedBorders::numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Cur
 	std::map<Position, int> number;
 	place_.resize(curves.size());
 	for (std::size_t c = 0; c < curves.size(); ++c) {
-		if (!isOfBorder(mesh, curves[c])) continue;
+		if (!mesh.isBorderEdge(curves[c].halfEdge[0])) continue;
 		for (const Vec3f& p : curves[c].point)
 			place_[c].push_back(number.insert({positionOf(p), int(number.size())}).first->second);
 	}
@@ -74,19 +69,9 @@ int SharedBorders::placeAt(int curve, int i) const
 	return place[std::size_t(i) % place.size()];
 }
 
-bool SharedBorders::runsForward(int curve, int segment) const
+std::pair<int, int> SharedBorders::endsOf(int curve, int segment) const
 {
-	return placeAt(curve, segment) < placeAt(curve, segment + 1);
-}
-
-const SharedBorders::Line& SharedBorders::lineOf(int curve, int segment) const
-{
-	return line_.at(std::minmax({placeAt(curve, segment), placeAt(curve, segment + 1)}));
-}
-
-SharedBorders::Line& SharedBorders::lineOf(int curve, int segment)
-{
-	return line_.at(std::minmax({placeAt(curve, segment), placeAt(curve, segment + 1)}));
+	return std::minmax({placeAt(curve, segment), placeAt(curve, segment + 1)});
 }
 
 bool SharedBorders::isShared(int curve, int segment) const
@@ -116,16 +101,6 @@ bool SharedBorders::isStop(int curve, int i) const
 void SharedBorders::addStop(int curve, int i)
 {
 	isStop_[std::size_t(placeAt(curve, i))] = 1;
-}
-
-bool SharedBorders::isSampled(int curve, int segment) const
-{
-	return lineOf(curve, segment).isSampled;
-}
-
-void SharedBorders::markSampled(int curve, int segment)
-{
-	lineOf(curve, segment).isSampled = true;
 }
 
 void SharedBorders::addSample(int curve, int segment, float share, const Vec3f& position)

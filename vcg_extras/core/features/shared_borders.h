@@ -33,8 +33,8 @@ public:
 	void addStop(int curve, int i);
 
 	/// Whether a curve has given the segment its samples.
-	bool isSampled(int curve, int segment) const;
-	void markSampled(int curve, int segment);
+	bool isSampled(int curve, int segment) const { return lineOf(curve, segment).isSampled; }
+	void markSampled(int curve, int segment) { lineOf(curve, segment).isSampled = true; }
 	/// share: part of the way along the segment, in the direction of the curve.
 	void addSample(int curve, int segment, float share, const Vec3f& position);
 	/// Calls visit(share, position) in the order of addSample.
@@ -61,12 +61,16 @@ private:
 	std::map<std::pair<int, int>, Line> line_;   ///< by the places of both ends
 	std::vector<char>                   isStop_; ///< per place
 
-	void        numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves);
-	void        findStops();
-	int         placeAt(int curve, int i) const;
-	bool        runsForward(int curve, int segment) const;
-	const Line& lineOf(int curve, int segment) const;
-	Line&       lineOf(int curve, int segment);
+	void numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves);
+	void findStops();
+	int  placeAt(int curve, int i) const;
+	bool runsForward(int curve, int segment) const
+	{
+		return placeAt(curve, segment) < placeAt(curve, segment + 1);
+	}
+	std::pair<int, int> endsOf(int curve, int segment) const;
+	const Line& lineOf(int curve, int segment) const { return line_.at(endsOf(curve, segment)); }
+	Line&       lineOf(int curve, int segment) { return line_.at(endsOf(curve, segment)); }
 };
 
 /// Gives all border vertices at the same place the smallest of their sizes, so that edges there are

@@ -137,14 +137,12 @@ std::vector<float> waysToFixed(const Curve& c, const std::vector<char>& isFixed)
 	}
 	// Twice round, as the nearest fixed point may lie beyond the first point of the loop.
 	for (int k = 1; k < 2 * n; ++k) {
-		const int   i = k % n, last = (k - 1) % n;
-		const float extent = (i > 0 ? c.arc[i] : c.length) - c.arc[last];
-		way[i]             = std::min(way[i], way[last] + extent);
+		const int i = k % n, last = (k - 1) % n;
+		way[i] = std::min(way[i], way[last] + c.lengthOf(last));
 	}
 	for (int k = 2 * n - 2; k >= 0; --k) {
-		const int   i = k % n, next = (k + 1) % n;
-		const float extent = (next > 0 ? c.arc[next] : c.length) - c.arc[i];
-		way[i]             = std::min(way[i], way[next] + extent);
+		const int i = k % n, next = (k + 1) % n;
+		way[i] = std::min(way[i], way[next] + c.lengthOf(i));
 	}
 	return way;
 }

@@ -6,12 +6,14 @@
 #include "flat_pieces.h"
 #include "repair_manifold.h"
 #include "sew_seams.h"
-#include "small_components.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,16 +31,26 @@ void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& dro
 
 void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
 {
-	const std::int64_t    least = run.options.dropComponentsBelow;
-	const SmallComponents small = findSmallComponents(surface.mesh, least, run.workers);
-	if (small.num == 0) return;
-	if (int(small.faces.size()) == surface.mesh.faceNum) {
+	const Components          found = findComponents(surface.mesh, run.workers);
+	std::vector<std::int64_t> faceNum(std::size_t(found.num), 0);
+	Poller                    poller(run.workers);
+	for (int component : found.ofFace) {
+		poller.count();
+		++faceNum[component];
+	}
+	const std::int64_t least    = run.options.dropComponentsBelow;
+	const auto         isSmall  = [&](std::int64_t num) { return num < least; };
+	const auto         smallNum = std::count_if(faceNum.begin(), faceNum.end(), isSmall);
+	if (smallNum == 0) return;
+	if (smallNum == found.num) {
 		throw Failure(Status::UnusableInput,
 					  "Nothing would be left: every component has fewer than " +
 						  std::to_string(least) + " faces.");
 	}
-	counts.droppedComponents = small.num;
-	dropFaces(run, small.faces, counts.droppedFaces, counts, surface);
+	counts.droppedComponents     = smallNum;
+	const std::vector<int> faces = run.workers.collectIf(
+		found.ofFace.size(), [&](int f) { return isSmall(faceNum[found.ofFace[f]]); });
+	dropFaces(run, faces, counts.droppedFaces, counts, surface);
 }
 
 /// Drops useless pieces of the mesh. A detour: takes a second ordering and connecting.

@@ -11,13 +11,14 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace gpr {
 
 namespace {
+
+constexpr int none = -1;
 
 using Edge = std::pair<int, int>; ///< the smaller vertex first
 
@@ -81,8 +82,8 @@ public:
 	bool staysTheSame() const
 	{
 		if (hasTwins_) return false;
-		std::map<int, std::set<int>> reaches; // per vertex beside the cluster: neighbours in the
-											  // cluster
+		std::map<int, int> pieceNum; // per vertex beside the cluster: edges to the cluster, less
+									 // the faces between
 		std::set<int> border;
 		int           innerEdgeNum = 0, innerBorderEdgeNum = 0;
 		for (const auto& [edge, faceNum] : faceNum_) {
@@ -92,13 +93,13 @@ public:
 			innerEdgeNum += isInner;
 			innerBorderEdgeNum += isInner && faceNum == 1;
 			if (faceNum == 1) border.insert({a, b});
-			if (!isInner) reaches[isInside(a) ? b : a].insert(isInside(a) ? a : b);
+			if (!isInner) ++pieceNum[isInside(a) ? b : a];
 		}
 		if (int(cluster_.size()) - innerEdgeNum + innerFaceNum_ != 1) return false;
-		for (const auto& [beside, inside] : reaches) {
-			const auto faces = facesTo_.find(beside);
-			if (int(inside.size()) - (faces == facesTo_.end() ? 0 : faces->second) != 1)
-				return false;
+		for (const auto& [beside, num] : facesTo_)
+			pieceNum[beside] -= num;
+		for (const auto& [beside, num] : pieceNum) {
+			if (num != 1) return false;
 		}
 		const auto borderNum =
 			std::count_if(border.begin(), border.end(), [&](int v) { return isInside(v); });
@@ -141,8 +142,10 @@ private:
 class Contraction {
 public:
 	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) :
-			mesh_(mesh), poller_(workers)
+			mesh_(mesh), poller_(workers), firstOf_(std::size_t(mesh.vertexNum), none),
+			newName_(std::size_t(mesh.vertexNum))
 	{
+		std::iota(newName_.begin(), newName_.end(), 0);
 		findClusters(edges);
 		findFaces(workers);
 	}
@@ -160,57 +163,47 @@ public:
 		return num;
 	}
 
-	int nameOf(int v) const
-	{
-		const auto found = newName_.find(v);
-		return found == newName_.end() ? v : found->second;
-	}
+	/// Per vertex.
+	const std::vector<int>& newNames() const { return newName_; }
 
 private:
 	IndexedMesh&                    mesh_;
 	Poller                          poller_;
 	std::map<int, std::vector<int>> cluster_; ///< by the least vertex; ascending
-	std::map<int, int>              firstOf_; ///< per vertex of a cluster: the least vertex
+	std::vector<int>                firstOf_; ///< per vertex: the least of its cluster, or none
 	std::map<int, std::vector<int>> facesAt_; ///< per cluster
-	std::unordered_map<int, int>    newName_;
+	std::vector<int>                newName_;
 
 	void findClusters(const std::vector<Edge>& edges)
 	{
 		for (const auto& [a, b] : edges) {
-			poller_.count();
-			firstOf_.emplace(a, a);
-			firstOf_.emplace(b, b);
+			firstOf_[a] = a;
+			firstOf_[b] = b;
 		}
 		for (const auto& [a, b] : edges)
 			joinSets(firstOf_, a, b);
-		std::vector<int> vertices;
-		for (const auto& entry : firstOf_)
-			vertices.push_back(entry.first);
-		std::sort(vertices.begin(), vertices.end());
-		for (int v : vertices)
-			cluster_[rootOf(firstOf_, v)].push_back(v);
-		for (int v : vertices)
+		for (int v = 0; v < mesh_.vertexNum; ++v) {
+			poller_.count();
+			if (firstOf_[v] == none) continue;
 			firstOf_[v] = rootOf(firstOf_, v);
+			cluster_[firstOf_[v]].push_back(v);
+		}
 	}
 
 	void findFaces(Workers& workers)
 	{
-		std::vector<char> isInCluster(std::size_t(mesh_.vertexNum), 0);
-		for (const auto& entry : firstOf_)
-			isInCluster[std::size_t(entry.first)] = 1;
 		const std::vector<int> faces = workers.collectIf(mesh_.faceNum, [&](int f) {
 			const int* corner = &mesh_.triangle[3 * f];
-			return isInCluster[corner[0]] || isInCluster[corner[1]] || isInCluster[corner[2]];
+			return std::any_of(corner, corner + 3, [&](int v) { return firstOf_[v] != none; });
 		});
 		for (int f : faces) {
 			poller_.count();
-			std::set<int> at;
-			for (int k = 0; k < 3; ++k) {
-				const auto found = firstOf_.find(mesh_.triangle[3 * f + k]);
-				if (found != firstOf_.end()) at.insert(found->second);
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int first = firstOf_[mesh_.triangle[h]];
+				if (first == none) continue;
+				std::vector<int>& at = facesAt_[first];
+				if (at.empty() || at.back() != f) at.push_back(f);
 			}
-			for (int first : at)
-				facesAt_[first].push_back(f);
 		}
 	}
 
@@ -220,7 +213,7 @@ private:
 		for (int f : facesAt_.at(first)) {
 			poller_.count();
 			const int*               t = &mesh_.triangle[3 * f];
-			const std::array<int, 3> corner{nameOf(t[0]), nameOf(t[1]), nameOf(t[2])};
+			const std::array<int, 3> corner{newName_[t[0]], newName_[t[1]], newName_[t[2]]};
 			const bool               isGone =
 				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 			if (!isGone) topology.addFace(corner);
@@ -240,10 +233,7 @@ void contractEdgesWithoutLength(IndexedMesh& mesh, Workers& workers, CleanCounts
 	const std::int64_t num = contraction.run();
 	if (num == 0) return;
 	counts.contractedEdges += num;
-	std::vector<int> newName(std::size_t(mesh.vertexNum));
-	workers.forEach(newName.size(),
-					[&](int v) { newName[std::size_t(v)] = contraction.nameOf(v); });
-	counts.zeroAreaFaces += renameCorners(mesh, newName, workers);
+	counts.zeroAreaFaces += renameCorners(mesh, contraction.newNames(), workers);
 	dropUnusedVertices(mesh, workers);
 }
 

@@ -6,10 +6,12 @@
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace gpr {
 
@@ -25,16 +27,10 @@ float longestEdge(const HalfEdgeMesh& m, int f)
 	return std::max({m.edgeLength(3 * f), m.edgeLength(3 * f + 1), m.edgeLength(3 * f + 2)});
 }
 
-bool isThin(const HalfEdgeMesh& m, int f)
+/// corner: the first of the three corners of a face.
+bool isThin(const Buffer<Vec3f>& position, const int* corner)
 {
-	const int* v = &m.origin[3 * f];
-	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
-}
-
-bool isThin(const IndexedMesh& m, int f)
-{
-	const int* v = &m.triangle[3 * f];
-	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
+	return isThin(position[corner[0]], position[corner[1]], position[corner[2]]);
 }
 
 /// Thin faces, ascending. All corners of a thin face are rough, with a margin for rounding; the
@@ -46,7 +42,7 @@ std::vector<int> findThin(const Surface& surface, Workers& workers)
 	std::vector<int>    thin = workers.collectEach<int>(m.vertexNum, [&](int v, auto& out) {
         if (!surface.normal[v].isRough()) return;
         forEachOutgoing(m, v, [&](int h) {
-            if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
+            if (h % 3 == 0 && isThin(m.position, &m.origin[h])) out.push_back(h / 3);
         });
     });
 	sortPolled(thin.begin(), thin.end(), workers);
@@ -79,13 +75,16 @@ class FlatFinder {
 public:
 	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin, Workers& workers) :
 			m_(mesh), poller_(workers), thin_(std::move(thin)), seen_(thin_.size(), 0),
-			gone_(thin_.size(), 0)
+			gone_(thin_.size(), 0), pieceOf_(thin_.size())
 	{
+		std::iota(pieceOf_.begin(), pieceOf_.end(), 0);
+		for (int f : thin_)
+			extent_.emplace_back(m_, f);
 	}
 
 	std::vector<int> run()
 	{
-		for (std::size_t i = 0; i < thin_.size(); ++i) {
+		for (int i = 0; i < int(thin_.size()); ++i) {
 			if (!seen_[i] && collectThin(i) && isLine()) markGone();
 		}
 		peelBorders();
@@ -99,57 +98,53 @@ public:
 private:
 	const HalfEdgeMesh& m_;
 	Poller              poller_;
-	std::vector<int>    thin_;  ///< ascending
-	std::vector<char>   seen_;  ///< per thin face
-	std::vector<char>   gone_;  ///< per thin face
-	std::vector<int>    faces_; ///< joined thin faces
-	std::vector<int> pieceOf_; ///< per thin face: another face of the same dropped piece; the head:
-							   ///< itself
-	std::vector<Extent> extent_; ///< per thin face: of the piece with this head
+	std::vector<int>    thin_; ///< faces, ascending
+	// Per thin face, by its index in thin_; so are all faces below.
+	std::vector<char>   seen_, gone_;
+	std::vector<int>    pieceOf_; ///< another face of the same dropped piece; the head: itself
+	std::vector<Extent> extent_;  ///< of the piece with this head
+	std::vector<int>    joined_;  ///< joined thin faces
 
-	/// Index of the face among the thin faces, or -1.
-	int thinIndex(int f) const { return placeIn(thin_, f); }
+	/// The thin face beyond half-edge h, or -1.
+	int thinBeyond(int h) const
+	{
+		return m_.isBorderEdge(h) ? -1 : placeIn(thin_, m_.opposite[h] / 3);
+	}
 
 	// ---- whole components
 
-	/// Collects the thin faces joined to thin_[first]. Returns whether these are a whole component.
-	bool collectThin(std::size_t first)
+	/// Collects the thin faces joined to a thin face. Returns whether these are a whole component.
+	bool collectThin(int first)
 	{
 		bool isWhole = true;
 		seen_[first] = 1;
-		faces_.assign(1, thin_[first]);
-		for (std::size_t i = 0; i < faces_.size(); ++i) {
+		joined_.assign(1, first);
+		for (std::size_t i = 0; i < joined_.size(); ++i) {
 			poller_.count();
-			for (int h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
-				isWhole = visitAcross(h) && isWhole;
+			const int f = thin_[joined_[i]];
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int k = thinBeyond(h);
+				isWhole     = isWhole && (k >= 0 || m_.isBorderEdge(h));
+				if (k < 0 || seen_[k]) continue;
+				seen_[k] = 1;
+				joined_.push_back(k);
+			}
 		}
 		return isWhole;
 	}
 
-	/// False if a face that is not thin lies beyond h.
-	bool visitAcross(int h)
-	{
-		const int g = m_.opposite[h];
-		if (g < 0) return true;
-		const int i = thinIndex(g / 3);
-		if (i < 0) return false;
-		if (!seen_[i]) faces_.push_back(g / 3);
-		seen_[i] = 1;
-		return true;
-	}
-
 	bool isLine() const
 	{
-		Extent all(m_, faces_[0]);
-		for (std::size_t i = 1; i < faces_.size(); ++i)
-			all.add(Extent(m_, faces_[i]));
+		Extent all = extent_[joined_[0]];
+		for (std::size_t i = 1; i < joined_.size(); ++i)
+			all.add(extent_[joined_[i]]);
 		return all.isLine();
 	}
 
 	void markGone()
 	{
-		for (int f : faces_)
-			gone_[thinIndex(f)] = 1;
+		for (int i : joined_)
+			gone_[i] = 1;
 	}
 
 	// ---- at borders
@@ -159,21 +154,17 @@ private:
 	/// row.
 	void peelBorders()
 	{
-		for (std::size_t i = 0; i < thin_.size(); ++i) {
-			pieceOf_.push_back(int(i));
-			extent_.emplace_back(m_, thin_[i]);
-		}
-		std::vector<int> waiting(thin_.rbegin(), thin_.rend());
+		std::vector<int> waiting(thin_.size());
+		std::iota(waiting.rbegin(), waiting.rend(), 0);
 		while (!waiting.empty()) {
 			poller_.count();
-			const int f = waiting.back();
-			const int i = thinIndex(f);
+			const int i = waiting.back(), f = thin_[i];
 			waiting.pop_back();
 			if (gone_[i] || !mayGo(f) || !joinsALine(i)) continue;
 			gone_[i] = 1;
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				const int g = m_.opposite[h];
-				if (g >= 0 && thinIndex(g / 3) >= 0) waiting.push_back(g / 3);
+				const int k = thinBeyond(h);
+				if (k >= 0) waiting.push_back(k);
 			}
 		}
 	}
@@ -185,9 +176,9 @@ private:
 		Extent    all = extent_[i];
 		int       piece[3], pieceNum = 0;
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			const int g = m_.opposite[h] < 0 ? -1 : thinIndex(m_.opposite[h] / 3);
-			if (g < 0 || !gone_[g]) continue;
-			const int p = pieceWith(g);
+			const int k = thinBeyond(h);
+			if (k < 0 || !gone_[k]) continue;
+			const int p = rootOf(pieceOf_, k);
 			if (std::find(piece, piece + pieceNum, p) != piece + pieceNum) continue;
 			all.add(extent_[p]);
 			piece[pieceNum++] = p;
@@ -199,20 +190,11 @@ private:
 		return true;
 	}
 
-	int pieceWith(int i)
+	bool isBorder(int h) const
 	{
-		while (pieceOf_[i] != i)
-			i = pieceOf_[i] = pieceOf_[pieceOf_[i]];
-		return i;
+		const int k = thinBeyond(h);
+		return m_.isBorderEdge(h) || (k >= 0 && gone_[k]);
 	}
-
-	bool isGone(int f) const
-	{
-		const int i = thinIndex(f);
-		return i >= 0 && gone_[i];
-	}
-
-	bool isBorder(int h) const { return m_.opposite[h] < 0 || isGone(m_.opposite[h] / 3); }
 
 	/// Whether the topology stays and, but for rounding, the surface and its border.
 	bool mayGo(int f) const
@@ -260,7 +242,7 @@ bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
 	std::atomic<bool> foundOther{false};
 	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end && !foundOther; ++f) {
-			if (!isThin(mesh, int(f))) foundOther = true;
+			if (!isThin(mesh.position, &mesh.triangle[3 * f])) foundOther = true;
 		}
 	});
 	return !foundOther;

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 
 namespace gpr {
@@ -70,34 +69,21 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 	keepFaces(mesh, usable, workers);
 }
 
-/// The vertices used by faces.
-class UsedVertices {
-public:
-	UsedVertices(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers) :
-			used_(vertexNum, 0)
-	{
-		workers.forEach(std::size_t(3) * mesh.faceNum, [&](int i) { mark(mesh.triangle[i]); });
-	}
-	bool operator[](std::size_t v) const { return used_[v] != 0; }
-
-private:
-	Buffer<char> used_;
-
-	void mark(int v)
-	{
-		// Relaxed atomic store: every thread writes the same 1.
-		__atomic_store_n(&used_[v], char(1), __ATOMIC_RELAXED);
-	}
-};
-
-Box<double> boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
+/// Marks the vertices used by faces.
+Buffer<char> findUsed(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers)
 {
-	return workers.sum<Box<double>>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Box<double> box;
-		for (std::size_t v = begin; v < end; ++v) {
-			if (used[v]) box.add(input.position(v));
-		}
-		return box;
+	Buffer<char> used(vertexNum, 0);
+	// Relaxed atomic store: every thread writes the same 1.
+	workers.forEach(std::size_t(3) * mesh.faceNum, [&](int c) {
+		__atomic_store_n(&used[mesh.triangle[c]], char(1), __ATOMIC_RELAXED);
+	});
+	return used;
+}
+
+Box<double> boxOfUsed(const MeshView& input, const Buffer<char>& used, Workers& workers)
+{
+	return workers.sumEach<Box<double>>(input.vertexNum, [&](int v, Box<double>& box) {
+		if (used[v]) box.add(input.position(v));
 	});
 }
 
@@ -111,7 +97,7 @@ Frame requireFrame(const Box<double>& box)
 }
 
 /// Copies the used vertices in their order and renames the corners of faces.
-void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
+void copyVertices(const MeshView& input, const Buffer<char>& used, Workers& workers,
 				  IndexedMesh& mesh, CleanCounts& counts)
 {
 	mesh.vertexNum = int(input.vertexNum);
@@ -150,17 +136,14 @@ void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 
 void requireVertexNumbers(const MeshView& input, Workers& workers)
 {
-	std::atomic<bool> bad{false};
-	const auto        vertexNum = std::uint32_t(input.vertexNum);
-	workers.forRange(input.faceNum, [&](std::size_t begin, std::size_t end) {
-		bool outside = false;
-		for (std::size_t f = begin; f < end; ++f) {
+	const auto         vertexNum = std::uint32_t(input.vertexNum);
+	const std::int64_t badNum =
+		workers.sumEach<std::int64_t>(input.faceNum, [&](int f, std::int64_t& bad) {
 			for (std::int32_t v : input.triangle(f))
-				outside |= std::uint32_t(v) >= vertexNum;
-		}
-		if (outside) bad = true;
-	});
-	if (bad) throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+				bad += std::uint32_t(v) >= vertexNum;
+		});
+	if (badNum > 0)
+		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
 }
 
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts)
@@ -175,8 +158,8 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	if (mesh.faceNum == 0) {
 		throw Failure(Status::UnusableInput, "No face has three different, finite vertices.");
 	}
-	const UsedVertices used(mesh, input.vertexNum, workers);
-	mesh.frame = requireFrame(boxOfUsed(input, used, workers));
+	const Buffer<char> used = findUsed(mesh, input.vertexNum, workers);
+	mesh.frame              = requireFrame(boxOfUsed(input, used, workers));
 	if (input.mirrorAxis >= 0) setCoordinate(mesh.frame.origin, input.mirrorAxis, 0.0);
 	copyVertices(input, used, workers, mesh, counts);
 	if (isSoup(mesh)) weld(mesh, workers, counts);

@@ -6,6 +6,7 @@
 #include "periodic_border.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
@@ -30,32 +31,28 @@ constexpr int    none       = -1;
 /// Most samples of a piece of a border.
 constexpr double mostSamples = 2e7;
 
-/// For long loops; i: repetitions so far.
-void pollNowAndThen(std::size_t i, Workers& workers)
-{
-	if (i % 65536 == 0) workers.poll();
-}
-
 /// The order of places in space, independent of the numbers of vertices.
 bool isBefore(const Vec3d& a, const Vec3d& b)
 {
 	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);
 }
 
-/// An edge of the border or of a junction, and its neighbours along the line.
-struct BorderEdge {
-	std::vector<int>      corners;            ///< of its faces, at the begins of their sides
-	bool                  isReversed = false; ///< against the direction of the first side
-	int                   next = none, last = none;
-	PeriodicBorder::Shift shift = {}; ///< periods from the edge with the computed samples
-
-	bool isOfJunction() const { return corners.size() > 1; }
-};
-
 /// A sample inside an edge of the border.
 struct Inside {
 	double share; ///< of the way from the edge's begin
 	Vec3d  place;
+};
+
+/// An edge of the border or of a junction, and its neighbours along the line.
+struct BorderEdge {
+	std::vector<int>      corners;                  ///< of its faces, at the begins of their sides
+	int                   begin = none, end = none; ///< places
+	int                   next = none, last = none;
+	PeriodicBorder::Shift shift = {}; ///< periods from the edge with the computed samples
+	std::vector<Inside>   inside;     ///< by share
+
+	bool                 isOfJunction() const { return corners.size() > 1; }
+	PeriodicBorder::Edge ends() const { return {begin, end}; }
 };
 
 /// Finds the border's samples.
@@ -78,20 +75,20 @@ public:
 	}
 
 private:
-	const MeshView&           input_;
-	const double              edge_;
-	Workers&                  workers_;
-	std::vector<std::int32_t> place_; ///< per vertex: the first vertex at the same place
-	std::vector<char>         isStop_, isKeptPlace_;
-	PeriodicBorder            periodic_;
+	const MeshView&                 input_;
+	const double                    edge_;
+	Workers&                        workers_;
+	std::vector<std::int32_t>       place_; ///< per vertex: the first vertex at the same place
+	std::vector<char>               isStop_, isKeptPlace_;
+	PeriodicBorder                  periodic_;
+	std::map<int, std::vector<int>> edgesAt_; ///< per place
 
 public:
-	std::vector<BorderEdge>          edge;
-	std::vector<std::vector<Inside>> inside; ///< per edge, by share
-	std::vector<std::uint8_t>        isKept; ///< per vertex of the input mesh
+	std::vector<BorderEdge>   edge;
+	std::vector<std::uint8_t> isKept; ///< per vertex of the input mesh
 
 	/// Whether the side of edge e from a corner has the direction of the edge.
-	bool isAlong(int e, int corner) const { return placeOf(corner) == beginOf(e); }
+	bool isAlong(int e, int corner) const { return placeOf(corner) == edge[e].begin; }
 
 	/// Position of a vertex of the input mesh; a translate gets its exact position.
 	Vec3d placed(std::size_t v) const
@@ -100,23 +97,16 @@ public:
 	}
 
 private:
-	static int nextCorner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
-	int        placeOf(int corner) const
+	int placeOf(int corner) const
 	{
 		return place_[std::size_t(input_.vertexOf(std::size_t(corner)))];
 	}
-	int sideBegin(int e) const { return placeOf(edge[std::size_t(e)].corners[0]); }
-	int sideEnd(int e) const { return placeOf(nextCorner(edge[std::size_t(e)].corners[0])); }
-	int beginOf(int e) const { return edge[std::size_t(e)].isReversed ? sideEnd(e) : sideBegin(e); }
-	int endPlace(int e) const
-	{
-		return edge[std::size_t(e)].isReversed ? sideBegin(e) : sideEnd(e);
-	}
-	PeriodicBorder::Edge placesOf(int e) const { return {beginOf(e), endPlace(e)}; }
 	/// Begin of an edge; for a translate, begin of the edge with the computed samples.
-	Vec3d at(int e) const { return translated(beginOf(e), edge[std::size_t(e)].shift); }
+	Vec3d at(int e) const { return translated(edge[e].begin, edge[e].shift); }
 	/// End of an edge, as at().
-	Vec3d endOf(int e) const { return translated(endPlace(e), edge[std::size_t(e)].shift); }
+	Vec3d endOf(int e) const { return translated(edge[e].end, edge[e].shift); }
+	/// The next edge, forward or backward, or none.
+	int neighbourOf(int e, bool forward) const { return forward ? edge[e].next : edge[e].last; }
 
 	/// The root of a place, moved by the periods of the place minus `back`. So all translates are
 	/// computed from the same numbers.
@@ -149,52 +139,52 @@ private:
 	void findEdges()
 	{
 		std::vector<EdgeSide> sides;
+		Poller                poller(workers_);
 		requireVertexNumbers(input_, workers_);
 		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
-			pollNowAndThen(std::size_t(c), workers_);
-			const int a = placeOf(c), b = placeOf(nextCorner(c));
+			poller.count();
+			const int a = placeOf(c), b = placeOf(nextInFace(c));
 			if (a != b && isUsable(c / 3)) sides.push_back(edgeSide(a, b, c));
 		}
 		std::sort(sides.begin(), sides.end());
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			if (end - begin == 2) return;
-			edge.emplace_back();
+			BorderEdge found;
 			for (std::size_t i = begin; i < end; ++i)
-				edge.back().corners.push_back(sides[i].halfEdge);
+				found.corners.push_back(sides[i].halfEdge);
+			found.begin = placeOf(found.corners[0]);
+			found.end   = placeOf(nextInFace(found.corners[0]));
+			for (const int place : {found.begin, found.end})
+				edgesAt_[place].push_back(int(edge.size()));
+			edge.push_back(std::move(found));
 		});
-		inside.resize(edge.size());
 	}
 
 	/// Gives the edges of each junction curve one direction: faces at a junction have any.
 	void directJunctions()
 	{
-		std::map<int, std::vector<int>> edgesAt;
-		for (int e = 0; e < int(edge.size()); ++e) {
-			edgesAt[beginOf(e)].push_back(e);
-			edgesAt[endPlace(e)].push_back(e);
-		}
 		std::vector<char> isDirected(edge.size(), 0);
 		for (int e = 0; e < int(edge.size()); ++e) {
-			if (!edge[std::size_t(e)].isOfJunction() || isDirected[std::size_t(e)]) continue;
-			isDirected[std::size_t(e)] = 1;
+			if (!edge[e].isOfJunction() || isDirected[e]) continue;
+			isDirected[e] = 1;
 			for (const bool forward : {true, false})
-				directFrom(e, forward, edgesAt, isDirected);
+				directFrom(e, forward, isDirected);
 		}
 	}
 
 	/// Directs the edges of a junction curve on one side of edge e like edge e.
-	void directFrom(int e, bool forward, const std::map<int, std::vector<int>>& edgesAt,
-					std::vector<char>& isDirected)
+	void directFrom(int e, bool forward, std::vector<char>& isDirected)
 	{
 		while (true) {
-			const int               place = forward ? endPlace(e) : beginOf(e);
-			const std::vector<int>& here  = edgesAt.at(place);
+			const BorderEdge&       from  = edge[e];
+			const int               place = forward ? from.end : from.begin;
+			const std::vector<int>& here  = edgesAt_.at(place);
 			if (here.size() != 2) return;
 			e                = here[0] == e ? here[1] : here[0];
-			BorderEdge& next = edge[std::size_t(e)];
-			if (!next.isOfJunction() || isDirected[std::size_t(e)]) return;
-			isDirected[std::size_t(e)] = 1;
-			next.isReversed            = (forward ? sideBegin(e) : sideEnd(e)) != place;
+			BorderEdge& next = edge[e];
+			if (!next.isOfJunction() || isDirected[e]) return;
+			isDirected[e] = 1;
+			if ((forward ? next.begin : next.end) != place) std::swap(next.begin, next.end);
 		}
 	}
 
@@ -215,47 +205,41 @@ private:
 		for (std::size_t v = 0; v < input_.vertexNum; ++v)
 			position.push_back(input_.position(v));
 		for (int e = 0; e < int(edge.size()); ++e) {
-			if (!edge[std::size_t(e)].isOfJunction()) ends.push_back(placesOf(e));
+			if (!edge[e].isOfJunction()) ends.push_back(edge[e].ends());
 		}
 		periodic_ = PeriodicBorder(position, ends, period);
-		for (int e = 0; e < int(edge.size()); ++e)
-			edge[std::size_t(e)].shift = periodic_.shiftOf(placesOf(e));
+		for (BorderEdge& e : edge)
+			e.shift = periodic_.shiftOf(e.ends());
 	}
-
-	/// The edges that begin and the edges that end at a place.
-	struct Meeting {
-		std::vector<int> begin, end;
-	};
 
 	/// Links edges at places with two edges, an end and a begin. All translates of a place are
 	/// linked alike.
 	void link()
 	{
-		std::map<int, Meeting> meetingAt;
-		for (int e = 0; e < int(edge.size()); ++e) {
-			meetingAt[beginOf(e)].begin.push_back(e);
-			meetingAt[endPlace(e)].end.push_back(e);
-		}
-		for (const auto& [place, meeting] : meetingAt) {
+		for (const auto& [place, here] : edgesAt_) {
 			const std::vector<int> others = periodic_.neighboursOf(place);
-			const bool             isNode = isNodeAt(meeting) ||
-								std::any_of(others.begin(), others.end(),
-											[&](int other) { return isNodeAt(meetingAt[other]); });
+			const bool             isNode =
+				isNodeAt(place) || std::any_of(others.begin(), others.end(),
+											   [&](int other) { return isNodeAt(other); });
 			if (isNode) continue;
-			edge[std::size_t(meeting.begin[0])].last = meeting.end[0];
-			edge[std::size_t(meeting.end[0])].next   = meeting.begin[0];
+			const bool isInOrder = edge[std::size_t(here[0])].end == place;
+			const int  a = here[isInOrder ? 0 : 1], b = here[isInOrder ? 1 : 0];
+			edge[a].next = b;
+			edge[b].last = a;
 		}
 	}
 
-	/// Whether other than two edges meet, or the two edges have different numbers of faces or
-	/// different translates.
-	bool isNodeAt(const Meeting& meeting) const
+	/// Whether other edges meet than an end and a begin, with as many faces and the same
+	/// translates.
+	bool isNodeAt(int place) const
 	{
-		if (meeting.begin.size() != 1 || meeting.end.size() != 1) return true;
-		const int a = meeting.end[0], b = meeting.begin[0];
-		if (edge[std::size_t(a)].corners.size() != edge[std::size_t(b)].corners.size()) return true;
-		return edge[std::size_t(a)].shift != edge[std::size_t(b)].shift ||
-			   periodic_.axesOnward(placesOf(a)) != periodic_.axesOnward(placesOf(b));
+		const auto found = edgesAt_.find(place);
+		if (found == edgesAt_.end() || found->second.size() != 2) return true;
+		const BorderEdge& a = edge[std::size_t(found->second[0])];
+		const BorderEdge& b = edge[std::size_t(found->second[1])];
+		return (a.end == place) == (b.end == place) || a.corners.size() != b.corners.size() ||
+			   a.shift != b.shift ||
+			   periodic_.axesOnward(a.ends()) != periodic_.axesOnward(b.ends());
 	}
 
 	/// The place at the length `way` along the border from the begin of edge e, forward or
@@ -264,14 +248,14 @@ private:
 	{
 		Vec3d     from  = at(e);
 		const int first = e;
-		if (!forward) e = edge[std::size_t(e)].last;
+		if (!forward) e = neighbourOf(e, false);
 		while (e != none) {
 			const Vec3d  to  = forward ? endOf(e) : at(e);
 			const double len = length(to - from);
 			if (len >= way) return from + (to - from) * (way / len);
 			way -= len;
 			from = to;
-			e    = forward ? edge[std::size_t(e)].next : edge[std::size_t(e)].last;
+			e    = neighbourOf(e, forward);
 			if (e == first) break;
 		}
 		return from;
@@ -292,11 +276,11 @@ private:
 			double way = 0;
 			int    k   = e;
 			while (way <= cornerWindow * edge_) {
-				const int next = forward ? edge[std::size_t(k)].next : edge[std::size_t(k)].last;
+				const int next = neighbourOf(k, forward);
 				if (next == none || next == e) break;
 				way += length(at(next) - at(k));
 				k                  = next;
-				const double other = turn[std::size_t(k)], own = turn[std::size_t(e)];
+				const double other = turn[k], own = turn[e];
 				const bool   isOver = other > own || (other == own && isBefore(at(k), at(e)));
 				if (way <= cornerWindow * edge_ && isOver) return false;
 			}
@@ -308,13 +292,13 @@ private:
 	{
 		std::vector<double> turn;
 		for (int e = 0; e < int(edge.size()); ++e) {
-			pollNowAndThen(64 * std::size_t(e), workers_);
-			turn.push_back(edge[std::size_t(e)].last == none ? 0 : turnAt(e));
+			workers_.poll();
+			turn.push_back(edge[e].last == none ? 0 : turnAt(e));
 		}
 		for (int e = 0; e < int(edge.size()); ++e) {
-			pollNowAndThen(64 * std::size_t(e), workers_);
-			const bool isNode   = edge[std::size_t(e)].last == none;
-			const bool isCorner = turn[std::size_t(e)] > cornerTurn && isLargestTurn(e, turn);
+			workers_.poll();
+			const bool isNode   = edge[e].last == none;
+			const bool isCorner = turn[e] > cornerTurn && isLargestTurn(e, turn);
 			isStop_.push_back(isNode || isCorner);
 		}
 		addStopsOfLoops();
@@ -325,27 +309,22 @@ private:
 	{
 		std::vector<char> isSeen(edge.size(), 0);
 		for (int e = 0; e < int(edge.size()); ++e) {
-			if (isSeen[std::size_t(e)]) continue;
-			int  first   = e;
-			bool hasStop = false;
-			for (int k = e; k != none && !isSeen[std::size_t(k)]; k = edge[std::size_t(k)].next) {
-				isSeen[std::size_t(k)] = 1;
-				hasStop                = hasStop || isStop_[std::size_t(k)];
-				if (isBefore(at(k), at(first))) first = k;
-			}
-			if (!hasStop && isLoop(e)) isStop_[std::size_t(first)] = 1;
+			if (isStop_[e]) firstFrom(e, isSeen);
+		}
+		for (int e = 0; e < int(edge.size()); ++e) {
+			if (!isSeen[e]) isStop_[firstFrom(e, isSeen)] = 1;
 		}
 	}
 
-	/// Whether a walk from edge e comes back to e without a stop.
-	bool isLoop(int e) const
+	/// The first edge, in the order of places, of the edges from e to the next that was seen.
+	int firstFrom(int e, std::vector<char>& isSeen) const
 	{
-		int k = e;
-		do {
-			if (isStop_[std::size_t(k)]) return false;
-			k = edge[std::size_t(k)].next;
-		} while (k != none && k != e);
-		return k == e;
+		int first = e;
+		for (int k = e; k != none && !isSeen[k]; k = edge[k].next) {
+			isSeen[k] = 1;
+			if (isBefore(at(k), at(first))) first = k;
+		}
+		return first;
 	}
 
 	/// The edges from e, a stop, to the next stop.
@@ -354,8 +333,8 @@ private:
 		std::vector<int> piece;
 		do {
 			piece.push_back(e);
-			e = edge[std::size_t(e)].next;
-		} while (e != none && !isStop_[std::size_t(e)]);
+			e = edge[e].next;
+		} while (e != none && !isStop_[e]);
 		return piece;
 	}
 
@@ -366,10 +345,10 @@ private:
 		std::vector<std::vector<int>>       pieces;
 		std::map<PeriodicBorder::Edge, int> num; ///< of pieces, by their ends
 		const auto endsOf = [&](const std::vector<int>& piece) -> PeriodicBorder::Edge {
-			return std::minmax({beginOf(piece.front()), endPlace(piece.back())});
+			return std::minmax({edge[piece.front()].begin, edge[piece.back()].end});
 		};
 		for (int e = 0; e < int(edge.size()); ++e) {
-			if (!isStop_[std::size_t(e)]) continue;
+			if (!isStop_[e]) continue;
 			pieces.push_back(pieceFrom(e));
 			++num[endsOf(pieces.back())];
 		}
@@ -406,15 +385,15 @@ private:
 		}
 	}
 
-	void keep(int e) { isKeptPlace_[std::size_t(beginOf(e))] = 1; }
-	void keepEnd(int e) { isKeptPlace_[std::size_t(endPlace(e))] = 1; }
+	void keep(int e) { isKeptPlace_[edge[e].begin] = 1; }
+	void keepEnd(int e) { isKeptPlace_[edge[e].end] = 1; }
 
 	/// Puts a sample on edge e, at a share of the way from a to b. turns: a is the end of the edge.
 	void put(int e, const Vec3d& a, const Vec3d& b, double share, double len, bool turns)
 	{
 		if (share * len < nearVertex * edge_) return turns ? keepEnd(e) : keep(e);
 		if ((1 - share) * len < nearVertex * edge_) return turns ? keep(e) : keepEnd(e);
-		std::vector<Inside>& on   = inside[std::size_t(e)];
+		std::vector<Inside>& on   = edge[e].inside;
 		const Inside         made = {turns ? 1 - share : share, moved(a + (b - a) * share, e)};
 		on.insert(turns ? on.begin() : on.end(), made);
 	}
@@ -426,17 +405,20 @@ private:
 		// The writer of a result rounds to floats, like the writer of the input: the shift by a
 		// period must hold in floats too.
 		if (!input_.doublePrecision) place = Vec3d(Vec3f(place));
-		return place + periodic_.times(edge[std::size_t(e)].shift);
+		return place + periodic_.times(edge[e].shift);
 	}
 };
 
 /// A corner of a part of a face, and the samples on the edge to the next corner.
 struct PartCorner {
-	std::int32_t              vertex;
-	MatchedBorder::Corner     at;
-	std::uint8_t              line = 0;
-	std::vector<std::int32_t> vertices; ///< vertices to insert
-	std::vector<float>        shares;
+	struct Sample {
+		std::int32_t vertex; ///< to insert
+		float        share;
+	};
+	std::int32_t          vertex;
+	MatchedBorder::Corner at;
+	std::uint8_t          line = 0;
+	std::vector<Sample>   samples;
 };
 
 using Part = std::array<PartCorner, 3>;
@@ -449,8 +431,8 @@ public:
 			input_(input), border_(border), out_(out)
 	{
 		for (int e = 0; e < int(border.edge.size()); ++e) {
-			if (border.inside[std::size_t(e)].empty()) continue;
-			for (const int corner : border.edge[std::size_t(e)].corners)
+			if (border.edge[e].inside.empty()) continue;
+			for (const int corner : border.edge[e].corners)
 				edgeAt_[corner] = e;
 		}
 	}
@@ -462,12 +444,12 @@ public:
 		if (found == edgeAt_.end()) return;
 		const int                  e       = found->second;
 		const bool                 isAlong = border_.isAlong(e, corner);
-		const std::vector<Inside>& inside  = border_.inside[std::size_t(e)];
+		const std::vector<Inside>& inside  = border_.edge[e].inside;
 		const std::int32_t         first   = firstOf(e, corner);
 		for (std::size_t i = 0; i < inside.size(); ++i) {
 			const std::size_t at = isAlong ? i : inside.size() - 1 - i;
-			part.vertices.push_back(first + std::int32_t(at));
-			part.shares.push_back(float(isAlong ? inside[at].share : 1 - inside[at].share));
+			part.samples.push_back({first + std::int32_t(at),
+									float(isAlong ? inside[at].share : 1 - inside[at].share)});
 		}
 	}
 
@@ -482,75 +464,59 @@ private:
 	std::int32_t firstOf(int e, int corner)
 	{
 		const std::int32_t a = input_.vertexOf(std::size_t(corner)),
-						   b = input_.vertexOf(
-							   std::size_t(corner % 3 == 2 ? corner - 2 : corner + 1));
-		const auto found = first_.insert(
-			{{e, std::min(a, b), std::max(a, b)}, std::int32_t(out_.positions.size())});
+						   b = input_.vertexOf(std::size_t(nextInFace(corner)));
+		const auto found     = first_.insert(
+				{{e, std::min(a, b), std::max(a, b)}, std::int32_t(out_.positions.size())});
 		if (!found.second) return found.first->second;
-		for (const Inside& sample : border_.inside[std::size_t(e)]) {
+		for (const Inside& sample : border_.edge[e].inside) {
 			out_.positions.push_back(sample.place);
 			out_.isKept.push_back(1);
 			if (!out_.selected.empty())
-				out_.selected.push_back(out_.selected[std::size_t(a)] != 0 &&
-										out_.selected[std::size_t(b)] != 0);
+				out_.selected.push_back(out_.selected[a] != 0 && out_.selected[b] != 0);
 		}
 		return found.first->second;
 	}
 };
 
-/// Cuts faces at the samples of their border edges.
-class FaceSplitting {
-public:
-	FaceSplitting(const MeshView& input, MatchedBorder& out) : input_(input), out_(out) {}
+/// Cuts a part from the first sample on its first edge to the opposite corner.
+void cut(Part& p, std::vector<Part>& open)
+{
+	const PartCorner::Sample    first = p[0].samples.front();
+	const MatchedBorder::Corner at{p[0].at.from, first.share};
+	const PartCorner            made{
+        first.vertex, at, p[0].line, {p[0].samples.begin() + 1, p[0].samples.end()}};
+	const PartCorner back{first.vertex, at, 0, {}}, across{p[2].vertex, p[2].at, 0, {}};
+	p[0].samples.clear();
+	open.push_back({made, p[1], across});
+	open.push_back({p[0], back, p[2]});
+}
 
-	void split(std::int32_t f, Part part)
-	{
-		std::vector<Part> open{std::move(part)};
-		while (!open.empty()) {
-			Part p = std::move(open.back());
-			open.pop_back();
-			for (int k = 0; k < 2 && p[0].vertices.empty(); ++k)
-				std::rotate(p.begin(), p.begin() + 1, p.end());
-			if (p[0].vertices.empty())
-				add(f, p);
-			else
-				cut(p, open);
-		}
+void addFace(const MeshView& input, std::int32_t f, const Part& part, MatchedBorder& out)
+{
+	out.faceOf.push_back(f);
+	for (const PartCorner& corner : part) {
+		out.triangles.push_back(corner.vertex);
+		out.cornerAt.push_back(corner.at);
+		if (input.line != nullptr) out.line.push_back(corner.line);
 	}
+	if (input.region != nullptr) out.region.push_back(input.region[f]);
+}
 
-private:
-	const MeshView& input_;
-	MatchedBorder&  out_;
-
-	/// Cuts the triangle from the first vertex on its first edge to the opposite corner.
-	static void cut(Part& p, std::vector<Part>& open)
-	{
-		PartCorner made{p[0].vertices.front(), p[0].at, p[0].line, {}, {}};
-		made.at.share = p[0].shares.front();
-		made.vertices.assign(p[0].vertices.begin() + 1, p[0].vertices.end());
-		made.shares.assign(p[0].shares.begin() + 1, p[0].shares.end());
-		p[0].vertices.clear();
-		p[0].shares.clear();
-		PartCorner across = p[2];
-		across.line       = 0;
-		across.vertices.clear();
-		across.shares.clear();
-		const PartCorner back{made.vertex, made.at, 0, {}, {}};
-		open.push_back({made, p[1], across});
-		open.push_back({p[0], back, p[2]});
+/// Adds face f, cut at the samples of its edges.
+void addParts(const MeshView& input, std::int32_t f, Part whole, MatchedBorder& out)
+{
+	std::vector<Part> open{std::move(whole)};
+	while (!open.empty()) {
+		Part p = std::move(open.back());
+		open.pop_back();
+		for (int k = 0; k < 2 && p[0].samples.empty(); ++k)
+			std::rotate(p.begin(), p.begin() + 1, p.end());
+		if (p[0].samples.empty())
+			addFace(input, f, p, out);
+		else
+			cut(p, open);
 	}
-
-	void add(std::int32_t f, const Part& part)
-	{
-		out_.faceOf.push_back(f);
-		for (const PartCorner& corner : part) {
-			out_.triangles.push_back(corner.vertex);
-			out_.cornerAt.push_back(corner.at);
-			if (input_.line != nullptr) out_.line.push_back(corner.line);
-		}
-		if (input_.region != nullptr) out_.region.push_back(input_.region[f]);
-	}
-};
+}
 
 BarycentricPoint ofCaller(const MatchedBorder& matched, const BarycentricPoint& at)
 {
@@ -585,9 +551,9 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 	if (input.selected != nullptr)
 		out.selected.assign(input.selected, input.selected + input.vertexNum);
 	SampleVertices samples(input, border, out);
-	FaceSplitting  faces(input, out);
+	Poller         poller(workers);
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		pollNowAndThen(f, workers);
+		poller.count();
 		Part part;
 		for (std::size_t k = 0; k < 3; ++k) {
 			const std::size_t c = 3 * f + k;
@@ -596,7 +562,7 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 			if (input.line != nullptr) part[k].line = input.line[c];
 			samples.insertAt(int(c), part[k]);
 		}
-		faces.split(std::int32_t(f), std::move(part));
+		addParts(input, std::int32_t(f), std::move(part), out);
 	}
 	return out;
 }

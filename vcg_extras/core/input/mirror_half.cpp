@@ -101,19 +101,16 @@ void rotate(Matrix& a, std::array<Vec3d, 3>& axes, std::size_t p, std::size_t q)
 	const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
 	const double t     = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
 	const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-	for (std::size_t k = 0; k < 3; ++k) {
-		const double kp = a[k][p], kq = a[k][q];
-		a[k][p] = c * kp - s * kq;
-		a[k][q] = s * kp + c * kq;
-	}
-	for (std::size_t k = 0; k < 3; ++k) {
-		const double pk = a[p][k], qk = a[q][k];
-		a[p][k] = c * pk - s * qk;
-		a[q][k] = s * pk + c * qk;
-	}
-	const Vec3d u = axes[p], v = axes[q];
-	axes[p] = u * c - v * s;
-	axes[q] = u * s + v * c;
+	const auto   turn = [c, s](auto& u, auto& v) {
+        const auto before = u;
+        u                 = before * c - v * s;
+        v                 = before * s + v * c;
+	};
+	for (std::size_t k = 0; k < 3; ++k)
+		turn(a[k][p], a[k][q]);
+	for (std::size_t k = 0; k < 3; ++k)
+		turn(a[p][k], a[q][k]);
+	turn(axes[p], axes[q]);
 }
 
 std::array<Vec3d, 3> principalAxes(const SymmetricMatrixOf<double>& m)
@@ -222,6 +219,8 @@ public:
 	}
 
 private:
+	static constexpr std::uint8_t unmarked = 0;
+
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
 	const MirrorPlane&  plane_;
@@ -254,20 +253,14 @@ private:
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
 			const int          a = m_.origin[h], b = m_.target(h);
 			const std::uint8_t line = m_.isCreaseEdge(h);
-			// An edge along the plane becomes border.
-			if (height(a) >= 0)
-				rest_.push_back({nameOfVertex(a), height(b) < 0 ? edgeMark(a, line) : line});
+			// An edge along the plane becomes border; an edge that leads down from the plane has
+			// no part above.
+			const bool isBelow = height(a) == 0 && height(b) < 0;
+			if (height(a) >= 0) rest_.push_back({nameOfVertex(a), isBelow ? unmarked : line});
 			if (height(a) * height(b) < 0)
-				rest_.push_back({nameOnEdge(f, a, b), height(b) > 0 ? line : std::uint8_t(0)});
+				rest_.push_back({nameOnEdge(f, a, b), height(b) > 0 ? line : unmarked});
 		}
 		addFaces(f);
-	}
-
-	/// Line mark of the part above the plane of an edge that leads down from a. An edge that leads
-	/// down from the plane has no part above.
-	std::uint8_t edgeMark(int a, std::uint8_t line) const
-	{
-		return height(a) > 0 ? line : std::uint8_t(0);
 	}
 
 	std::int32_t add(const Vec3d& place, const SurfacePoint& point)
@@ -307,7 +300,7 @@ private:
 		};
 		if (between(1, 3) < between(0, 2))
 			std::rotate(rest_.begin(), rest_.begin() + 1, rest_.end());
-		const CutCorner first = {rest_[0].vertex, 0}, third = {rest_[2].vertex, 0};
+		const CutCorner first = {rest_[0].vertex, unmarked}, third = {rest_[2].vertex, unmarked};
 		addFace(f, rest_[0], rest_[1], third);
 		addFace(f, first, rest_[2], rest_[3]);
 	}

@@ -84,47 +84,30 @@ struct Miss {
 	Vec3d wanted;
 };
 
-/// Measures some of the misses and refuses the border with the largest.
-class Refusal {
-public:
-	Refusal(const std::vector<Vec3d>& position, const std::vector<int>& vertices) :
-			position_(position), vertices_(vertices)
-	{
+/// Measures some of the misses and refuses the border with the largest. vertices: of the border.
+[[noreturn]] void refuse(const std::vector<Miss>& misses, const std::vector<Vec3d>& position,
+						 const std::vector<int>& vertices)
+{
+	constexpr std::size_t mostMeasured = 500; // each against the whole border
+	const std::size_t     step         = misses.size() / mostMeasured + 1;
+	Miss                  worst;
+	double                mismatch = -1;
+	for (std::size_t i = 0; i < misses.size(); i += step) {
+		double nearest = HUGE_VAL;
+		for (const int v : vertices)
+			nearest = std::min(nearest, length(position[std::size_t(v)] - misses[i].wanted));
+		if (nearest <= mismatch) continue;
+		mismatch = nearest;
+		worst    = misses[i];
 	}
-
-	[[noreturn]] void refuse(const std::vector<Miss>& misses) const
-	{
-		constexpr std::size_t mostMeasured = 500; // each against the whole border
-		const std::size_t     step         = misses.size() / mostMeasured + 1;
-		Miss                  worst;
-		double                mismatch = -1;
-		for (std::size_t i = 0; i < misses.size(); i += step) {
-			const double d = distanceToNearest(misses[i].wanted);
-			if (d <= mismatch) continue;
-			mismatch = d;
-			worst    = misses[i];
-		}
-		const Vec3d at = position_[std::size_t(worst.vertex)];
-		char        text[240];
-		std::snprintf(text, sizeof text,
-					  "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) "
-					  "the nearest vertex of the border is %.3g away.",
-					  "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
-		throw Failure(Status::UnusableInput, text);
-	}
-
-private:
-	const std::vector<Vec3d>& position_;
-	const std::vector<int>&   vertices_;
-
-	double distanceToNearest(const Vec3d& to) const
-	{
-		double least = HUGE_VAL;
-		for (const int v : vertices_)
-			least = std::min(least, length(position_[std::size_t(v)] - to));
-		return least;
-	}
-};
+	const Vec3d at = position[std::size_t(worst.vertex)];
+	char        text[240];
+	std::snprintf(text, sizeof text,
+				  "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) "
+				  "the nearest vertex of the border is %.3g away.",
+				  "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
+	throw Failure(Status::UnusableInput, text);
+}
 
 } // namespace
 
@@ -263,7 +246,7 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 				misses.push_back({v, axis, position[std::size_t(v)] + alongAxis(axis, sign * by)});
 		}
 	}
-	if (!misses.empty()) Refusal(position, vertices).refuse(misses);
+	if (!misses.empty()) refuse(misses, position, vertices);
 	if (unmatched.size() == edges.size())
 		throw Failure(Status::UnusableInput, "No two edges of the border lie one period apart.");
 }

@@ -366,12 +366,8 @@ public:
 		makeRoom(mesh_.triangle, 3 * faceNum, m_.workers);
 		makeRoom(mesh_.sourceFace, faceNum, m_.workers);
 		makeRoom(mesh_.position, mesh_.vertexNum + slits_.size(), m_.workers);
-		for (std::size_t i = 0; i < slits_.size();) {
-			std::size_t end = i + 1;
-			while (end < slits_.size() && slits_[end] / 3 == slits_[i] / 3)
-				++end;
-			splitFace(slits_[i] / 3, i, end);
-			i = end;
+		for (std::size_t i = 0; i < slits_.size(); ++i) {
+			if (i == 0 || slits_[i - 1] / 3 != slits_[i] / 3) splitFace(slits_[i]);
 		}
 	}
 
@@ -430,20 +426,18 @@ private:
 		sortUnique(slits_);
 	}
 
-	/// Splits a face into a fan of triangles from a corner, with the new vertices in its outline.
-	void splitFace(int f, std::size_t begin, std::size_t end)
+	/// Splits a face into a fan of triangles, with the new vertices in its outline. first: the
+	/// first slit of the face.
+	void splitFace(int first)
 	{
+		const int        f = first / 3;
 		std::vector<int> outline;
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
 			outline.push_back(mesh_.triangle[h]);
-			if (std::find(slits_.begin() + begin, slits_.begin() + end, h) !=
-				slits_.begin() + end) {
-				outline.push_back(middleOf(h));
-			}
+			if (placeIn(slits_, h) >= 0) outline.push_back(middleOf(h));
 		}
 		// The fan starts at a new vertex, so that no triangle has three points on an edge.
-		const std::size_t start = 1 + std::size_t(slits_[begin] - 3 * f);
-		std::rotate(outline.begin(), outline.begin() + start, outline.end());
+		std::rotate(outline.begin(), outline.begin() + 1 + first % 3, outline.end());
 		for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
 			const int face               = k == 1 ? f : mesh_.faceNum++;
 			mesh_.triangle[3 * face]     = outline[0];
@@ -453,10 +447,7 @@ private:
 		}
 	}
 
-	int& middleAt(int h)
-	{
-		return middle_[std::lower_bound(slits_.begin(), slits_.end(), h) - slits_.begin()];
-	}
+	int& middleAt(int h) { return middle_[placeIn(slits_, h)]; }
 
 	int middleOf(int h)
 	{

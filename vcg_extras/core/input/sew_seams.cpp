@@ -32,26 +32,6 @@ EdgeSide sideAt(const IndexedMesh& mesh, int h)
 
 // ---- the border
 
-struct Parity {
-	std::uint64_t bits = 0;
-	Parity&       operator+=(const Parity& other)
-	{
-		bits ^= other.bits;
-		return *this;
-	}
-};
-
-/// Whether every edge has an even number of faces. Then the random numbers of the edges' sides
-/// cancel out in any order; the probability of a false answer is 2^-64.
-bool isClosed(const IndexedMesh& mesh, Workers& workers)
-{
-	const auto addParity = [&](int h, Parity& parity) {
-		const EdgeSide e = sideAt(mesh, h);
-		parity.bits ^= mixedBits(std::uint64_t(e.low) << 32 | std::uint64_t(e.high));
-	};
-	return workers.sumEach<Parity>(3 * std::size_t(mesh.faceNum), addParity).bits == 0;
-}
-
 /// Per vertex the xor of the random numbers of its neighbours, each repeated for every face at the
 /// edge to the neighbour. Not 0 at the ends of border edges.
 Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& workers)
@@ -85,41 +65,6 @@ std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 	return border;
 }
 
-// ---- places
-
-/// The vertices of the border, numbered consecutively.
-class BorderVertices {
-public:
-	BorderVertices(const IndexedMesh& mesh, const std::vector<int>& border, Workers& workers)
-	{
-		Poller poller(workers);
-		for (int h : border) {
-			poller.count();
-			vertex_.push_back(mesh.triangle[h]);
-			vertex_.push_back(mesh.triangle[nextInFace(h)]);
-		}
-		sortPolled(vertex_.begin(), vertex_.end(), workers);
-		vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
-		SamePlaceTable table(vertex_.size());
-		for (int v : vertex_) {
-			poller.count();
-			place_.push_back(table.findOrPut(mesh.position[v], v));
-			isAnyShared_ |= place_.back() != v;
-		}
-	}
-
-	int  num() const { return int(vertex_.size()); }
-	int  vertex(int i) const { return vertex_[std::size_t(i)]; }
-	bool isAnyShared() const { return isAnyShared_; } ///< whether two lie at the same place
-	int  indexOf(int v) const { return placeIn(vertex_, v); }
-	/// The first vertex at the place of v.
-	int placeOf(int v) const { return place_[std::size_t(indexOf(v))]; }
-
-private:
-	std::vector<int> vertex_, place_;
-	bool             isAnyShared_ = false;
-};
-
 // ---- seams
 
 /// Two border edges at the same place.
@@ -128,10 +73,11 @@ struct Seam {
 	bool sameDirection;
 };
 
-/// Disjoint sets of numbers; each number is turned over or not against the first number of its set.
+/// Disjoint sets of numbers; each number is turned over or not against the other numbers of its
+/// set. Each number is two items: as it is, and turned over.
 class TurnableSets {
 public:
-	explicit TurnableSets(std::size_t num) : parent_(num), turned_(num, 0)
+	explicit TurnableSets(std::size_t num) : parent_(2 * num)
 	{
 		std::iota(parent_.begin(), parent_.end(), 0);
 	}
@@ -140,38 +86,15 @@ public:
 	/// with the other value of `turned`.
 	bool join(int a, int b, bool turned)
 	{
-		const auto [rootA, turnedA] = find(a);
-		const auto [rootB, turnedB] = find(b);
-		const bool differs          = turnedA != turnedB;
-		if (rootA == rootB) return differs == turned;
-		const int low                             = std::min(rootA, rootB);
-		parent_[std::size_t(rootA)]               = low;
-		parent_[std::size_t(rootB)]               = low;
-		turned_[std::size_t(rootA ^ rootB ^ low)] = char(differs != turned);
+		const int same = 2 * b + turned, other = 2 * b + !turned;
+		if (rootOf(parent_, 2 * a) == rootOf(parent_, other)) return false;
+		joinSets(parent_, 2 * a, same);
+		joinSets(parent_, 2 * a + 1, other);
 		return true;
 	}
 
 private:
-	std::vector<int>  parent_;
-	std::vector<char> turned_; ///< against the parent
-
-	std::pair<int, bool> find(int a)
-	{
-		int  root   = a;
-		bool turned = false;
-		for (; parent_[std::size_t(root)] != root; root = parent_[std::size_t(root)])
-			turned ^= turned_[std::size_t(root)] != 0;
-		const std::pair<int, bool> found{root, turned};
-		while (a != root) {
-			const int  next         = parent_[std::size_t(a)];
-			const bool after        = turned != (turned_[std::size_t(a)] != 0);
-			parent_[std::size_t(a)] = root;
-			turned_[std::size_t(a)] = char(turned);
-			turned                  = after;
-			a                       = next;
-		}
-		return found;
-	}
+	std::vector<int> parent_;
 };
 
 /// Sews a mesh with a known border.
@@ -180,13 +103,13 @@ public:
 	Sewing(IndexedMesh& mesh, const std::vector<int>& border, Workers& workers,
 		   CleanCounts& counts) :
 			mesh_(mesh),
-			border_(border), workers_(workers), counts_(counts), vertices_(mesh, border, workers)
+			border_(border), workers_(workers), counts_(counts)
 	{
 	}
 
 	void run()
 	{
-		if (!vertices_.isAnyShared()) return;
+		if (!findPlaces()) return;
 		findSeams();
 		leaveOutOneSided();
 		while (leaveOutConflicts()) {}
@@ -201,12 +124,34 @@ private:
 	const std::vector<int>& border_;
 	Workers&                workers_;
 	CleanCounts&            counts_;
-	BorderVertices          vertices_;
+	std::vector<int>        vertices_; ///< of the border, ascending
+	Buffer<int>             place_;    ///< per border vertex: the first vertex at its place
 	std::vector<Seam>       seams_;
 	std::vector<int>        coinciding_;        ///< vertices at the ends of edges at the same place
 	std::int64_t            coincidingNum_ = 0; ///< of such edges
-	std::vector<int>        joined_; ///< per border vertex: index of the border vertex after
-									 ///< joining
+	Buffer<int>             name_;              ///< per vertex: its vertex after joining
+
+	/// Returns whether two border vertices lie at the same place.
+	bool findPlaces()
+	{
+		Poller poller(workers_);
+		for (int h : border_) {
+			poller.count();
+			vertices_.push_back(mesh_.triangle[h]);
+			vertices_.push_back(mesh_.triangle[nextInFace(h)]);
+		}
+		sortPolled(vertices_.begin(), vertices_.end(), workers_);
+		vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+		SamePlaceTable table(vertices_.size());
+		bool           isAnyShared = false;
+		place_.reset(std::size_t(mesh_.vertexNum));
+		for (int v : vertices_) {
+			poller.count();
+			place_[v] = table.findOrPut(mesh_.position[v], v);
+			isAnyShared |= place_[v] != v;
+		}
+		return isAnyShared;
+	}
 
 	void findSeams()
 	{
@@ -214,8 +159,7 @@ private:
 		Poller                poller(workers_);
 		for (int h : border_) {
 			poller.count();
-			const int a = vertices_.placeOf(mesh_.triangle[h]);
-			const int b = vertices_.placeOf(mesh_.triangle[nextInFace(h)]);
+			const int a = place_[mesh_.triangle[h]], b = place_[mesh_.triangle[nextInFace(h)]];
 			if (a != b) sides.push_back(edgeSide(a, b, h));
 		}
 		sortPolled(sides.begin(), sides.end(), workers_);
@@ -238,9 +182,7 @@ private:
 	void addSeam(int g, int h)
 	{
 		if (g / 3 == h / 3 || lieOnOneAnother(g, h)) return;
-		const int atG = vertices_.placeOf(mesh_.triangle[g]);
-		const int atH = vertices_.placeOf(mesh_.triangle[h]);
-		seams_.push_back({{g, h}, atG == atH});
+		seams_.push_back({{g, h}, place_[mesh_.triangle[g]] == place_[mesh_.triangle[h]]});
 	}
 
 	static constexpr float cosineOfLeast = 0.9998477f;
@@ -287,46 +229,29 @@ private:
 
 	// ---- the effect of joining on edges
 
-	void joinVertices(int v, int w)
-	{
-		joinSets(joined_, vertices_.indexOf(v), vertices_.indexOf(w));
-	}
-
 	void joinAlongSeams()
 	{
-		joined_.resize(std::size_t(vertices_.num()));
-		std::iota(joined_.begin(), joined_.end(), 0);
+		name_.reset(std::size_t(mesh_.vertexNum));
+		workers_.forEach(name_.size(), [&](int v) { name_[v] = v; });
 		Poller poller(workers_);
 		for (const Seam& s : seams_) {
 			poller.count();
 			const int g = s.halfEdge[0], h = s.halfEdge[1];
 			const int otherStart = s.sameDirection ? h : nextInFace(h);
 			const int otherEnd   = s.sameDirection ? nextInFace(h) : h;
-			joinVertices(mesh_.triangle[g], mesh_.triangle[otherStart]);
-			joinVertices(mesh_.triangle[nextInFace(g)], mesh_.triangle[otherEnd]);
+			joinSets(name_, mesh_.triangle[g], mesh_.triangle[otherStart]);
+			joinSets(name_, mesh_.triangle[nextInFace(g)], mesh_.triangle[otherEnd]);
 		}
-		for (int i = 0; i < vertices_.num(); ++i)
-			joined_[std::size_t(i)] = rootOf(joined_, i);
-	}
-
-	/// Per vertex of the mesh its vertex after joining.
-	Buffer<int> newNames() const
-	{
-		Buffer<int> name(mesh_.vertexNum);
-		workers_.forEach(name.size(), [&](int v) { name[v] = v; });
-		for (int i = 0; i < vertices_.num(); ++i)
-			name[vertices_.vertex(i)] = vertices_.vertex(joined_[std::size_t(i)]);
-		return name;
+		for (int v : vertices_)
+			name_[v] = rootOf(name_, v);
 	}
 
 	/// Per vertex of the mesh whether it is joined to another vertex.
 	Buffer<char> joinedOnes() const
 	{
 		Buffer<char> isJoined(mesh_.vertexNum, 0);
-		for (int i = 0; i < vertices_.num(); ++i) {
-			const int root = joined_[std::size_t(i)];
-			if (root == i) continue;
-			isJoined[vertices_.vertex(i)] = isJoined[vertices_.vertex(root)] = 1;
+		for (int v : vertices_) {
+			if (name_[v] != v) isJoined[v] = isJoined[name_[v]] = 1;
 		}
 		return isJoined;
 	}
@@ -339,12 +264,10 @@ private:
 		joinAlongSeams();
 		const std::vector<int> bad = findConflicts();
 		if (bad.empty()) return false;
+		const auto isBad   = [&](int v) { return placeIn(bad, name_[v]) >= 0; };
 		const auto touches = [&](const Seam& s) {
-			for (int h : {s.halfEdge[0], nextInFace(s.halfEdge[0])}) {
-				const int i = joined_[std::size_t(vertices_.indexOf(mesh_.triangle[h]))];
-				if (std::binary_search(bad.begin(), bad.end(), vertices_.vertex(i))) return true;
-			}
-			return false;
+			const int g = s.halfEdge[0];
+			return isBad(mesh_.triangle[g]) || isBad(mesh_.triangle[nextInFace(g)]);
 		};
 		seams_.erase(std::remove_if(seams_.begin(), seams_.end(), touches), seams_.end());
 		return true;
@@ -354,12 +277,11 @@ private:
 	/// Ascending.
 	std::vector<int> findConflicts() const
 	{
-		const Buffer<int>     name     = newNames();
 		const Buffer<char>    isJoined = joinedOnes();
 		std::vector<EdgeSide> sides =
 			workers_.collectEach<EdgeSide>(3 * std::size_t(mesh_.faceNum), [&](int h, auto& out) {
 				const int a = mesh_.triangle[h], b = mesh_.triangle[nextInFace(h)];
-				if (isJoined[a] || isJoined[b]) out.push_back(edgeSide(name[a], name[b], h));
+				if (isJoined[a] || isJoined[b]) out.push_back(edgeSide(name_[a], name_[b], h));
 			});
 		sortPolled(sides.begin(), sides.end(), workers_);
 		std::vector<int> bad;
@@ -392,14 +314,13 @@ private:
 	{
 		sortUnique(coinciding_);
 		for (int v : coinciding_)
-			mesh_.position[v] = mesh_.position[vertices_.placeOf(v)];
+			mesh_.position[v] = mesh_.position[place_[v]];
 	}
 
 	void renameVertices()
 	{
-		const Buffer<int> name = newNames();
 		workers_.forEach(3 * std::size_t(mesh_.faceNum),
-						 [&](int i) { mesh_.triangle[i] = name[mesh_.triangle[i]]; });
+						 [&](int i) { mesh_.triangle[i] = name_[mesh_.triangle[i]]; });
 		dropUnusedVertices(mesh_, workers_);
 	}
 };
@@ -421,7 +342,6 @@ bool mayHaveSeams(const Surface& surface, Workers& workers)
 
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
-	if (isClosed(mesh, workers)) return;
 	const std::vector<int> border = findBorder(mesh, workers);
 	Sewing(mesh, border, workers, counts).run();
 }

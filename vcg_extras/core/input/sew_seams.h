@@ -21,9 +21,8 @@ constexpr float leastSeamAngleDeg = 1;
 /// ends get equal coordinates. Parts to turn over are left for repairManifold. Faces keep their
 /// order and their sources; the vertices of a face move by at most samePlace.
 ///
-/// Needs: no vertex twice in a face. Cost: a parallel pass over the faces without reading vertices;
-/// for a mesh with a border two more passes with vertices, parallel, and O(B log B) for B border
-/// edges; O(F log F), serial, if edges run in the same direction.
+/// Needs: no vertex twice in a face. Cost: two parallel passes over the faces; O(B log B) for B
+/// border edges; O(F log F), serial, if edges run in the same direction.
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 
 /// Whether two border vertices of a connected surface lie at the same place, so that there may be

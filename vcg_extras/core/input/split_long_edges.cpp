@@ -157,13 +157,10 @@ private:
 		else if (longNum == 2) {
 			splitTwo(face, middle);
 		}
-		else if (longNum == 1) {
+		else {
 			const int k = middle[0] >= 0 ? 0 : middle[1] >= 0 ? 1 : 2;
 			put(v[k], middle[k], v[(k + 2) % 3], face.source);
 			put(middle[k], v[(k + 1) % 3], v[(k + 2) % 3], face.source);
-		}
-		else {
-			put(v[0], v[1], v[2], face.source);
 		}
 	}
 
@@ -256,7 +253,15 @@ private:
 	}
 };
 
-/// Long faces among faces [begin, end).
+/// Adds values behind the first `num` values of a buffer.
+template <class T>
+void append(Buffer<T>& values, int num, const std::vector<T>& added, Workers& workers)
+{
+	if (added.empty()) return;
+	makeRoom(values, num + added.size(), workers);
+	std::copy(added.begin(), added.end(), values.begin() + num);
+}
+
 /// The first new faces replace the long faces; the rest follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)
@@ -274,15 +279,9 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	});
 	mesh.faceNum += extra;
 
-	const std::vector<Vec3f>& added = split.position;
-	makeRoom(mesh.position, mesh.vertexNum + added.size(), workers);
-	for (std::size_t i = 0; i < added.size(); ++i)
-		mesh.position[mesh.vertexNum + i] = added[i];
-	const std::vector<float>& sizes = split.size;
-	if (!sizes.empty()) makeRoom(mesh.size, mesh.vertexNum + sizes.size(), workers);
-	for (std::size_t i = 0; i < sizes.size(); ++i)
-		mesh.size[mesh.vertexNum + i] = sizes[i];
-	mesh.vertexNum += int(added.size());
+	append(mesh.position, mesh.vertexNum, split.position, workers);
+	append(mesh.size, mesh.vertexNum, split.size, workers);
+	mesh.vertexNum += int(split.position.size());
 }
 
 } // namespace

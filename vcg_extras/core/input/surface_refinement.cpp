@@ -36,9 +36,7 @@ public:
 		nameVertices();
 		nameFaces();
 		moveVertices();
-		moveFaces();
-		const std::vector<int> open = moveOpposites();
-		joinParts(open);
+		joinParts(moveFaces());
 		turnRoundCorners();
 	}
 
@@ -74,32 +72,33 @@ private:
 		return low;
 	}
 
-	/// Number of items inserted up to an old item.
-	static std::size_t insertedUpTo(const std::vector<Insert>& inserts, int old)
+	/// Names the first `num` items, the old items, in their order. gone: items that leave no gap.
+	void nameOld(int num, const std::vector<Insert>& inserts, const std::vector<int>& gone,
+				 Buffer<int>& name)
 	{
-		return std::size_t(firstOf(int(inserts.size()),
-								   [&](int i) { return inserts[std::size_t(i)].before > old; }));
+		// The step from the name of the item before, at first.
+		workers_.forEach(std::size_t(num), [&](int i) { name[i] = i > 0; });
+		for (const Insert& insert : inserts) {
+			if (insert.before < num) ++name[insert.before];
+		}
+		for (int i : gone) {
+			if (i + 1 < num) --name[i + 1];
+		}
+		workers_.sumUp(name.data(), std::size_t(num));
 	}
 
 	/// A new vertex comes after the old vertices of its cell, as in a new ordering.
 	std::vector<Insert> insertedVertices() const
 	{
-		struct InCell {
-			std::uint64_t cell;
-			int           item;
-		};
-		std::vector<InCell> vertices;
+		const auto cellOf = [&](const Vec3f& p) { return s_.grid.cell(p, s_.grid.level); };
+		std::vector<std::pair<std::uint64_t, int>> vertices; // cell and number
 		for (std::size_t i = 0; i < split_.position.size(); ++i)
-			vertices.push_back({s_.grid.cell(split_.position[i], s_.grid.level), int(i)});
-		std::sort(vertices.begin(), vertices.end(), [](const InCell& a, const InCell& b) {
-			return a.cell != b.cell ? a.cell < b.cell : a.item < b.item;
-		});
+			vertices.push_back({cellOf(split_.position[i]), int(i)});
+		std::sort(vertices.begin(), vertices.end());
 		std::vector<Insert> inserts;
-		for (const InCell& v : vertices) {
-			const auto isBehind = [&](int w) {
-				return s_.grid.cell(m_.position[w], s_.grid.level) > v.cell;
-			};
-			inserts.push_back({firstOf(m_.vertexNum, isBehind), v.item});
+		for (const auto& v : vertices) {
+			const auto isBehind = [&](int w) { return cellOf(m_.position[w]) > v.first; };
+			inserts.push_back({firstOf(m_.vertexNum, isBehind), v.second});
 		}
 		return inserts;
 	}
@@ -108,14 +107,7 @@ private:
 	{
 		const std::vector<Insert> inserts = insertedVertices();
 		vertexName_.reset(std::size_t(m_.vertexNum) + inserts.size());
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			std::size_t i = insertedUpTo(inserts, int(begin));
-			for (int v = int(begin); v < int(end); ++v) {
-				while (i < inserts.size() && inserts[i].before <= v)
-					++i;
-				vertexName_[v] = v + int(i);
-			}
-		});
+		nameOld(m_.vertexNum, inserts, {}, vertexName_);
 		for (std::size_t i = 0; i < inserts.size(); ++i)
 			vertexName_[m_.vertexNum + inserts[i].item] = inserts[i].before + int(i);
 	}
@@ -139,26 +131,19 @@ private:
 	std::vector<Insert> insertedFaces() const
 	{
 		std::vector<Insert> inserts;
+		const auto          keyOf = [&](int part) {
+            return std::pair(split_.faces[std::size_t(part)].corner[0], numberOf(part));
+		};
 		for (int i = 0; i < int(split_.faces.size()); ++i) {
-			const int  smallest = split_.faces[std::size_t(i)].corner[0], number = numberOf(i);
+			const auto key      = keyOf(i);
 			const auto isBehind = [&](int f) {
-				const int other = vertexName_[m_.origin[3 * f]];
-				return other != smallest ? other > smallest : f >= number;
+				return std::pair(vertexName_[m_.origin[3 * f]], f) >= key;
 			};
 			inserts.push_back({firstOf(m_.faceNum, isBehind), i});
 		}
-		std::sort(inserts.begin(), inserts.end(), [&](const Insert& a, const Insert& b) {
-			const int v = split_.faces[std::size_t(a.item)].corner[0];
-			const int w = split_.faces[std::size_t(b.item)].corner[0];
-			return v != w ? v < w : numberOf(a.item) < numberOf(b.item);
-		});
+		std::sort(inserts.begin(), inserts.end(),
+				  [&](const Insert& a, const Insert& b) { return keyOf(a.item) < keyOf(b.item); });
 		return inserts;
-	}
-
-	std::size_t longFacesBefore(int f) const
-	{
-		return std::size_t(std::lower_bound(longFaces_.begin(), longFaces_.end(), f) -
-						   longFaces_.begin());
 	}
 
 	void nameFaces()
@@ -167,20 +152,16 @@ private:
 			nameCorners(part);
 		const std::vector<Insert> inserts = insertedFaces();
 		faceName_.reset(m_.faceNum);
-		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
-			std::size_t i = insertedUpTo(inserts, int(begin)), gone = longFacesBefore(int(begin));
-			for (int f = int(begin); f < int(end); ++f) {
-				while (i < inserts.size() && inserts[i].before <= f)
-					++i;
-				const bool isLong = gone < longFaces_.size() && longFaces_[gone] == f;
-				faceName_[f]      = isLong ? -1 : f + int(i) - int(gone);
-				gone += isLong;
-			}
-		});
+		nameOld(m_.faceNum, inserts, longFaces_, faceName_);
+		for (int f : longFaces_)
+			faceName_[f] = -1;
 		partName_.resize(inserts.size());
-		for (std::size_t i = 0; i < inserts.size(); ++i)
+		for (std::size_t i = 0; i < inserts.size(); ++i) {
+			const int  before = inserts[i].before;
+			const auto gone   = std::lower_bound(longFaces_.begin(), longFaces_.end(), before);
 			partName_[std::size_t(inserts[i].item)] =
-				inserts[i].before + int(i) - int(longFacesBefore(inserts[i].before));
+				before + int(i) - int(gone - longFaces_.begin());
+		}
 	}
 
 	/// -1 if there is no half-edge, or its face is split.
@@ -215,43 +196,32 @@ private:
 		m_.vertexNum = int(vertexName_.size());
 	}
 
-	void moveFaces()
+	/// Returns the half-edges whose neighbours were split.
+	std::vector<int> moveFaces()
 	{
 		const std::size_t faceNum = faceName_.size() - longFaces_.size() + partName_.size();
-		Buffer<int>       origin(3 * faceNum), source(faceNum);
-		workers_.forEach(faceName_.size(), [&](int f) {
-			const int name = faceName_[f];
-			if (name < 0) return;
-			for (int k = 0; k < 3; ++k)
-				origin[3 * name + k] = vertexName_[m_.origin[3 * f + k]];
-			source[name] = s_.sourceFace[f];
-		});
+		Buffer<int>       origin(3 * faceNum), opposite(3 * faceNum), source(faceNum);
+		const auto        moveFace = [&](int f, std::vector<int>& open) {
+            const int name = faceName_[f];
+            if (name < 0) return;
+            source[name] = s_.sourceFace[f];
+            for (int k = 0; k < 3; ++k) {
+                const int h = 3 * name + k, old = m_.opposite[3 * f + k];
+                origin[h]   = vertexName_[m_.origin[3 * f + k]];
+                opposite[h] = halfEdgeName(old);
+                if (old >= 0 && opposite[h] < 0) open.push_back(h);
+            }
+		};
+		const std::vector<int> open = workers_.collectEach<int>(faceName_.size(), moveFace);
 		for (std::size_t i = 0; i < partName_.size(); ++i) {
 			const Face& part = split_.faces[i];
 			std::copy(part.corner, part.corner + 3, &origin[3 * partName_[i]]);
 			source[partName_[i]] = part.source;
 		}
 		m_.origin.swap(origin);
+		m_.opposite.swap(opposite);
 		s_.sourceFace.swap(source);
 		m_.faceNum = int(faceNum);
-	}
-
-	/// Returns the half-edges whose neighbours were split.
-	std::vector<int> moveOpposites()
-	{
-		Buffer<int>            opposite(m_.origin.size());
-		const std::vector<int> open = workers_.collect<int>(
-			faceName_.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int f = int(begin); f < int(end); ++f) {
-					if (faceName_[f] < 0) continue;
-					for (int k = 0; k < 3; ++k) {
-						const int name = 3 * faceName_[f] + k, old = m_.opposite[3 * f + k];
-						opposite[name] = halfEdgeName(old);
-						if (old >= 0 && opposite[name] < 0) out.push_back(name);
-					}
-				}
-			});
-		m_.opposite.swap(opposite);
 		return open;
 	}
 

@@ -375,7 +375,7 @@ private:
 			const Curve& c = boundary_.curves[ra.curve];
 			middle.curve   = ra.curve;
 			middle.arc     = c.wrap(ra.arc + 0.5f * c.wrap(rb.arc - ra.arc));
-			middle.point   = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+			middle.point   = {c.at(middle.arc), c.faceAt(middle.arc)};
 			place          = middle.point.position;
 		}
 		middle.normal = surface_.mesh.faceNormal(middle.point.face);

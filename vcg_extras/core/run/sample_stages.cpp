@@ -12,7 +12,7 @@
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
-#include <vcg_extras/core/sampling/fuse_samples.h>
+#include <vcg_extras/core/sampling/fused_mesh.h>
 #include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/feature_region.h>
 #include <vcg_extras/core/features/given_lines.h>
-#include <vcg_extras/core/features/seam_edges.h>
 #include <vcg_extras/core/features/shared_borders.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/input/surface_refinement.h>
@@ -216,8 +215,8 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	const Buffer<float> wanted = wantedEdges(run, made.surface);
 	return makeSizing({options, uniform, evenEdge(made.surface.area, num),
 					   mayFollow ? made.lines.marks : none, made.sizes.isFeatureVertex,
-					   made.sizes.kept, decisions.purpose == Purpose::Trial ? &spots : nullptr,
-					   &wanted},
+					   made.sizes.kept, decisions.purpose == Purpose::Trial ? spots : FineSpots(),
+					   wanted},
 					  made.surface, run.workers);
 }
 

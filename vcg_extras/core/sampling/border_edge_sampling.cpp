@@ -385,16 +385,17 @@ private:
 		const int a = m_.origin[place.halfEdge], b = m_.target(place.halfEdge);
 		if (field_.nearest.size() <= std::size_t(m_.vertexNum)) growTo(m_.vertexNum / 4 * 5 + 64);
 		const int v = splitAt(fused_, place.halfEdge, place.sample.point.position);
-		initVertex(v, a, b);
+		initVertex(v, normal_[a].unpack() + normal_[b].unpack(),
+				   0.5f * (stretchOf(a) + stretchOf(b)));
 		return v;
 	}
 
-	void initVertex(int v, int a, int b)
+	void initVertex(int v, const Vec3f& normal, float stretch)
 	{
 		field_.nearest[v] = unreached;
 		field_.mark[v]    = {0, 0};
-		normal_[v]        = PackedNormal(normalized(normal_[a].unpack() + normal_[b].unpack()));
-		if (isStretched()) stretch_[v] = 0.5f * (stretch_[a] + stretch_[b]);
+		normal_[v]        = PackedNormal(normalized(normal));
+		if (isStretched()) stretch_[v] = stretch;
 	}
 
 	/// Initialises v from the neighbours made before v.
@@ -409,10 +410,7 @@ private:
 			stretch += stretchOf(w);
 			++num;
 		});
-		field_.nearest[v] = unreached;
-		field_.mark[v]    = {0, 0};
-		normal_[v]        = PackedNormal(normalized(normal));
-		if (isStretched()) stretch_[v] = stretch / float(std::max(num, 1));
+		initVertex(v, normal, stretch / float(std::max(num, 1)));
 	}
 
 	/// Gives the last explored disk to the newest sample, at vertex v, and puts new border edges

@@ -414,9 +414,7 @@ public:
 
 		ErrorSizes sizes;
 		sizes.edge.reset(mesh_.vertexNum);
-		workers_.forRange(sizes.edge.size(), [&](std::size_t begin, std::size_t end) {
-			std::fill(sizes.edge.data() + begin, sizes.edge.data() + end, request_.largest);
-		});
+		workers_.forEach(sizes.edge.size(), [&](int v) { sizes.edge[v] = request_.largest; });
 		sizes.epsilon = std::max(noise, usualRaise * flat);
 		makeSizes(sizes.epsilon, sizes.edge);
 		float corrected = std::clamp(correctedEpsilon(sizes), least, most);

@@ -3,7 +3,6 @@
 #include "front_sampling.h"
 
 #include "front_fans.h"
-#include "sample_ranges.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
@@ -20,9 +19,6 @@ namespace {
 /// Pairs of samples beyond these distances, over r, have no useful intersection.
 constexpr float widestPair  = 1.98f;
 constexpr float closestPair = 0.3f;
-
-/// Weight of a pair's deviation from r against the fit of a third disk.
-constexpr float pairWeight = 1;
 
 /// A place for a sample, and the size of its disk over the largest one.
 struct Place {
@@ -75,6 +71,13 @@ std::uint32_t mix(std::uint32_t x)
 	return x ^ x >> 16;
 }
 
+/// The range of sample numbers of a block while blocks are sampled in parallel.
+struct BlockRange {
+	int firstSample = 0; ///< [firstSample, firstSample + room) belong to the block
+	int room        = 0;
+	int used        = 0;
+};
+
 struct SharedState {
 	const Surface&          surface;
 	float                   radius;
@@ -93,12 +96,10 @@ public:
 			flood_(shared.surface, shared.field, shared.radius), r_(shared.radius),
 			nearLimit_((1 - spacingSlack) * shared.radius)
 	{
+		flood_.numberFrom(worker, workers.threadNum());
 	}
 
-	void         numberFloods(int last, int step) { flood_.numberFrom(last, step); }
-	int          floodNumber() const { return flood_.floodNumber(); }
-	std::int64_t fillNum() const { return fillNum_; }
-	bool         capped() const { return capped_; }
+	bool capped() const { return capped_; }
 
 	/// Floods from a sample on a curve, which has its place already.
 	void floodGiven(int s)
@@ -117,8 +118,9 @@ public:
 		heap_.clear();
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
-		beginScan(blockIndex);
-		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
+		random_         = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
+		scanned_        = 0;
+		scanStart_      = int(random_ % std::uint32_t(block.end - block.begin));
 		takeUpNeighbours();
 		Place place;
 		bool  isUncovered = false;
@@ -151,7 +153,6 @@ private:
 	int              scanned_   = 0; ///< vertices of the block seen by the scan
 	int              scanStart_ = 0;
 	std::uint32_t    random_    = 1; ///< of the block, from the seed
-	std::int64_t     fillNum_   = 0;
 	bool             capped_    = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
@@ -192,13 +193,6 @@ private:
 	{
 		const int v = m_.origin[3 * face];
 		return v >= block_->begin && v < block_->end;
-	}
-
-	void beginScan(int blockIndex)
-	{
-		const int n = block_->end - block_->begin;
-		scanned_    = 0;
-		scanStart_  = int(mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex)) % n);
 	}
 
 	/// Takes up samples of other blocks and of the border that reach into this block: the front of
@@ -263,9 +257,7 @@ private:
 		}
 		while (nextBorderEdge_ < borderEdges_.size()) {
 			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
-			if (isTaken(place)) continue;
-			++fillNum_;
-			return true;
+			if (!isTaken(place)) return true;
 		}
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
@@ -281,7 +273,6 @@ private:
 			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0 || !isOpen(v)) continue;
 			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
 			++scanned_;
-			++fillNum_;
 			return true;
 		}
 		return false;
@@ -461,7 +452,7 @@ private:
 		// Pairs closer than the ideal leave room for a whole triangle. Distant pairs would start a
 		// square lattice, which is as saturated but not wanted. Both terms are divided by the local
 		// size, or dense places would always come first.
-		const float fit = (third + pairWeight * misfit) / apex.size + smallChance();
+		const float fit = (third + misfit) / apex.size + smallChance();
 		heap_.push_back({pair.a, pair.b, fans_.last(), side, guess, apex.size, fit});
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 	}
@@ -573,6 +564,58 @@ private:
 	}
 };
 
+/// The most samples on a face. Disks of radius (1-ε) r/2 do not overlap, so a sample takes at least
+/// 0.78 r² of flat ground; 0.5 r² is counted. A needle has almost no area: its length counts.
+double roomOf(const Surface& surface, int f, float radius)
+{
+	const HalfEdgeMesh&  m    = surface.mesh;
+	const Buffer<float>& size = surface.size;
+	float                r    = radius;
+	if (!size.empty())
+		r *= std::min({size[m.origin[3 * f]], size[m.target(3 * f)], size[m.apex(3 * f)]});
+	const double area = 0.5 * double(length(m.faceCross(f)));
+	const double longest =
+		double(std::max({squaredLength(m.edgeVector(3 * f)), squaredLength(m.edgeVector(3 * f + 1)),
+						 squaredLength(m.edgeVector(3 * f + 2))}));
+	const double bySpace = area / (0.5 * double(r) * r);
+	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
+}
+
+/// Makes a range for each block, from firstSample on, with room for all samples that disks of
+/// radius r leave on the faces of the block, and a few more. Cost: a parallel pass over the faces.
+std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
+								   float radius, int firstSample, Workers& workers)
+{
+	constexpr int           spareRoom = 64; // even a block of few vertices may need these
+	const HalfEdgeMesh&     m         = surface.mesh;
+	std::vector<BlockRange> ranges(partition.blocks.size());
+	// Faces are ordered by their first corner, so the faces of a block are consecutive.
+	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
+		const auto firstFaceFrom = [&](int vertex) {
+			int low = 0, high = m.faceNum;
+			while (low < high) {
+				const int middle = low + (high - low) / 2;
+				if (m.origin[3 * middle] < vertex)
+					low = middle + 1;
+				else
+					high = middle;
+			}
+			return low;
+		};
+		double    room = spareRoom;
+		const int end  = firstFaceFrom(partition.blocks[b].end);
+		for (int f = firstFaceFrom(partition.blocks[b].begin); f < end; ++f)
+			room += roomOf(surface, f, radius);
+		ranges[b].room = int(std::min(room, 1e9));
+	});
+	std::int64_t next = firstSample;
+	for (BlockRange& range : ranges) {
+		range.firstSample = int(next);
+		next += range.room;
+	}
+	return ranges;
+}
+
 /// Marks samples that own a vertex. A sample whose vertices were all taken by later samples is of
 /// no use.
 Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
@@ -608,25 +651,14 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 	});
 }
 
-/// Calls body(sampler, block) once for every block, colour by colour. Each colour continues the
-/// flood numbers of the colour before.
+/// Calls body(sampler, block) once for every block, colour by colour.
 template <class Body>
 void forBlocks(const OctreeBlocks& partition, Workers& workers, std::vector<BlockSampler>& samplers,
 			   const Body& body)
 {
-	int        floodNumber = 0;
-	const auto collect     = [&] {
-        for (const BlockSampler& s : samplers)
-            floodNumber = std::max(floodNumber, s.floodNumber());
-	};
-	collect();
-	for (const std::vector<int>& ids : partition.byColour) {
-		for (std::size_t i = 0; i < samplers.size(); ++i)
-			samplers[i].numberFloods(floodNumber + int(i), int(samplers.size()));
+	for (const std::vector<int>& ids : partition.byColour)
 		workers.forTasks(ids.size(),
 						 [&](std::size_t i, int worker) { body(samplers[worker], ids[i]); });
-		collect();
-	}
 }
 
 void sampleBlocks(const OctreeBlocks& partition, bool inRegion, Workers& workers,
@@ -702,10 +734,8 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	floodGiven(m, boundary, partition, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
 	sampleBlocks(partition, false, workers, samplers);
-	for (const BlockSampler& s : samplers) {
-		result.fillNum += s.fillNum();
+	for (const BlockSampler& s : samplers)
 		result.capped = result.capped || s.capped();
-	}
 	result.nearest.swap(shared.field.nearest);
 	compact(shared, workers, result);
 	labelBorder(boundary, result);

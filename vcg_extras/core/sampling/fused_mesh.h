@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_SAMPLING_FUSED_MESH_H
 #define VCG_EXTRAS_CORE_SAMPLING_FUSED_MESH_H
 
+#include "front_sampling.h"
+
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
@@ -30,14 +32,22 @@ void makeRoom(FusedMesh& fused, int moreVertices);
 /// last of the mesh. The rest of h still begins at origin[h]. Reserves memory if needed.
 int splitAt(FusedMesh& fused, int h, const Vec3f& place);
 
-/// Splits face f in three at a place inside. Returns the new vertex, the last of the mesh. Reserves
-/// memory if needed.
-int splitFaceAt(FusedMesh& fused, int f, const Vec3f& place);
-
 /// Makes every border sample a vertex: the border vertex at its place, or a new vertex on its
 /// border edge. Appends to sampleVertex, in the order of boundary.samples. Needs a mesh whose
 /// border edges are still the segments of the curves. Cost: linear in the samples of the border.
 void fuseBoundary(const BoundaryCurves& boundary, FusedMesh& fused);
+
+/// Fuses samples of any placement into the surface (paper §3, step 6): each sample becomes the
+/// vertex at its place, or splits its edge in two or its face in three. A sample is at a vertex or
+/// an edge within a thousandth of the face, the limit of rounding; the vertex then moves to the
+/// sample. If `boundary` has samples, these and no others become vertices of the border. A sample
+/// that falls on an earlier sample, or on the border without belonging there, gets no vertex: its
+/// sampleVertex is -1.
+///
+/// Differs from the paper: its samples lie on edges and need edge splits only. Cost: a copy of the
+/// surface, and a few faces a sample.
+FusedMesh fuseSamples(const Surface& surface, const Sampling& sampling,
+					  const BoundaryCurves& boundary, Workers& workers);
 
 } // namespace gpr
 

@@ -94,12 +94,12 @@ int passesForRadius(const Surface& surface, float radius, Workers& workers)
 	return std::clamp(int(std::lround(steps)), 0, maxCurvaturePasses);
 }
 
-/// Sums ofFace(f) and the area of the faces over the ring of every vertex.
-template <class OfFace>
-Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
+/// Sums the curvature and the area of the faces over the ring of every vertex.
+Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers)
 {
-	Buffer<float> amount(m.faceNum);
-	workers.forEach(amount.size(), [&](int f) { amount[f] = ofFace(f); });
+	const Buffer<Vec3f> normal = vertexNormals(m, workers);
+	Buffer<float>       amount(m.faceNum);
+	workers.forEach(amount.size(), [&](int f) { amount[f] = integratedCurvature(m, normal, f); });
 	Buffer<CurvatureSum> ring(m.vertexNum);
 	workers.forEach(ring.size(), [&](int v) {
 		CurvatureSum sum;
@@ -142,36 +142,26 @@ void grade(const SizingRequest& request, const Surface& surface, float radius, W
 	gradeSizes(m, perUnit, workers, small, size);
 }
 
-struct Largest {
-	float    size = 0;
-	Largest& operator+=(const Largest& o)
-	{
-		size = std::max(size, o.size);
-		return *this;
-	}
-};
-
 /// Divides sizes by the largest size, which may be above or below 1. Returns the largest size.
 float normalise(Workers& workers, Buffer<float>& size)
 {
-	const Largest all =
-		workers.sumEach<Largest>(size.size(), [&](int v, Largest& part) { part += {size[v]}; });
-	workers.forEach(size.size(), [&](int v) { size[v] /= all.size; });
-	return all.size;
-}
-
-void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
-{
-	if (request.isFeatureVertex.empty()) return;
-	for (std::size_t v = 0; v < size.size(); ++v) {
-		if (request.isFeatureVertex[v]) size[v] *= float(request.options.featureDiskScale);
-	}
+	const float largest = *std::max_element(size.begin(), size.end());
+	workers.forEach(size.size(), [&](int v) { size[v] /= largest; });
+	return largest;
 }
 
 bool wantsSmallerDisks(const SizingRequest& request)
 {
 	return !request.isFeatureVertex.empty() && !keepsRegionVertices(request.options) &&
 		   request.options.featureDiskScale < 1;
+}
+
+void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
+{
+	if (!wantsSmallerDisks(request)) return;
+	for (std::size_t v = 0; v < size.size(); ++v) {
+		if (request.isFeatureVertex[v]) size[v] *= float(request.options.featureDiskScale);
+	}
 }
 
 /// Size on flat ground over the size of even triangles. The larger it is, the more vertices are
@@ -182,39 +172,20 @@ float largestSizeFor(const RemeshOptions& options)
 	return 1 + 0.3f * float(*options.adapt);
 }
 
-bool wantsErrorSizes(const SizingRequest& request)
-{
-	return request.options.adapt > 0;
-}
-
 bool matchesBorder(const SizingRequest& request)
 {
-	return request.options.boundary == BoundaryMode::Keep && !isPaper(request.options);
+	return request.options.boundary == BoundaryMode::Keep;
 }
 
-bool hasFineSpots(const SizingRequest& request)
-{
-	return request.fineSpots != nullptr && !request.fineSpots->empty() && !isPaper(request.options);
-}
-
-bool hasWantedEdges(const SizingRequest& request)
-{
-	return request.wantedEdge != nullptr && !request.wantedEdge->empty() &&
-		   !isPaper(request.options);
-}
-
-/// Whether the user gives sizes in mesh units.
-bool hasUnits(const SizingRequest& request)
-{
-	const RemeshOptions& o = request.options;
-	return !isPaper(o) && (hasWantedEdges(request) || o.minEdge > 0 || o.maxEdge > 0);
-}
-
+/// Whether anything but the error asks for sizes: as printed, only λ and the region can.
 bool wantsOtherSizes(const SizingRequest& request)
 {
+	const RemeshOptions& o = request.options;
+	if (o.lambda > 0 || wantsSmallerDisks(request)) return true;
+	if (isPaper(o)) return false;
 	const bool atBorder = matchesBorder(request) && !request.kept.empty();
-	return request.options.lambda > 0 || wantsSmallerDisks(request) || atBorder ||
-		   hasFineSpots(request) || hasUnits(request);
+	const bool hasUnits = !request.wantedEdge.empty() || o.minEdge > 0 || o.maxEdge > 0;
+	return atBorder || hasUnits || !request.fineSpots.empty();
 }
 
 /// Mean length of the two border edges at every border vertex; 0 inside. Split edges were long:
@@ -247,8 +218,7 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 	constexpr float     smallestSize = 1 / 32.0f;
 	const HalfEdgeMesh& m            = surface.mesh;
 	const Buffer<float> atBorder     = spacingAtBorder(request, m);
-	Buffer<float>       matched(size.size());
-	std::copy(size.begin(), size.end(), matched.begin());
+	Buffer<float>       matched      = copyOf(size, workers);
 	for (int pass = 0; pass < passes; ++pass) {
 		const double factor = std::sqrt(meanSquaredStretch(surface, matched, workers));
 		const float  radius = request.radius * float(factor);
@@ -273,17 +243,17 @@ Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface
 		for (std::size_t v = 0; v < strength.size(); ++v)
 			size[v] = std::max(1 / largestStretch, 1 / (1 + lambda * strength[v]));
 	}
-	if (wantsSmallerDisks(request)) shrinkFeatures(request, size);
-	if (hasWantedEdges(request)) {
+	shrinkFeatures(request, size);
+	if (!request.wantedEdge.empty()) {
 		for (std::size_t v = 0; v < size.size(); ++v)
-			size[v] *= (*request.wantedEdge)[v] / request.evenEdge;
+			size[v] *= request.wantedEdge[v] / request.evenEdge;
 	}
 	return size;
 }
 
 bool followsSizes(const SizingRequest& request)
 {
-	return request.options.targetMode == TargetMode::Sizes && !isPaper(request.options);
+	return request.options.targetMode == TargetMode::Sizes;
 }
 
 /// The edge, in working units, of size 1.
@@ -310,7 +280,7 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 	if (!(o.minEdge > 0) && !(o.maxEdge > 0)) return;
 	constexpr int passes = 4;
 	const double  scale  = surface.frame.scale;
-	if (followsSizes(request) && !hasWantedEdges(request)) {
+	if (followsSizes(request) && request.wantedEdge.empty()) {
 		const float factor = sizeFor(o.maxEdge * scale, double(request.evenEdge));
 		workers.forEach(size.size(), [&](int v) { size[v] *= factor; });
 	}
@@ -349,10 +319,10 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 	}
 	else {
 		sizing.size = ungradedSizes(request, surface, workers);
-		if (wantsErrorSizes(request))
+		if (request.options.adapt > 0)
 			multiply(errorSizes(request, surface, workers), workers, sizing.size);
-		if (hasFineSpots(request))
-			multiply(factorsOf(*request.fineSpots, surface, workers), workers, sizing.size);
+		if (!request.fineSpots.empty())
+			multiply(factorsOf(request.fineSpots, surface, workers), workers, sizing.size);
 		limitEdges(request, surface, workers, sizing.size);
 		// The slope depends on the radius, and the radius on the sizes. The sizes before grading
 		// give a radius that is good enough.
@@ -379,8 +349,7 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 {
 	Sizing      sizing;
 	const float lambda = float(request.options.lambda);
-	sizing.size.reset(surface.mesh.vertexNum);
-	sizing.size.fill(1);
+	sizing.size        = Buffer<float>(surface.mesh.vertexNum, 1.0f);
 	double meanStretch = 1;
 	if (lambda > 0) {
 		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
@@ -394,7 +363,7 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 		// A surface that is hollow as a whole must not get a radius of zero.
 		meanStretch = std::max(double(minPrintedStretch), 1 + sum / double(strength.size()));
 	}
-	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
+	shrinkFeatures(request, sizing.size);
 	sizing.radiusFactor = meanStretch * double(normalise(workers, sizing.size));
 	return sizing;
 }
@@ -403,31 +372,20 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 
 double meanSquaredStretch(const Surface& surface, const Buffer<float>& size, Workers& workers)
 {
-	struct Sums {
-		double weighted = 0, area = 0;
-		Sums&  operator+=(const Sums& o)
-		{
-			weighted += o.weighted;
-			area += o.area;
-			return *this;
-		}
-	};
-	const Sums sums = workers.sumEach<Sums>(size.size(), [&](int v, Sums& s) {
-		const double area = surface.area[v].value(), here = size[v];
-		s.weighted += area / (here * here);
-		s.area += area;
+	const double area = workers.sumEach<double>(
+		size.size(), [&](int v, double& sum) { sum += double(surface.area[v].value()); });
+	const double weighted = workers.sumEach<double>(size.size(), [&](int v, double& sum) {
+		const double here = size[v];
+		sum += double(surface.area[v].value()) / (here * here);
 	});
-	return sums.area > 0 ? sums.weighted / sums.area : 1;
+	return area > 0 ? weighted / area : 1;
 }
 
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
 {
-	const HalfEdgeMesh&  m      = surface.mesh;
-	const Buffer<Vec3f>  normal = vertexNormals(m, workers);
-	Buffer<CurvatureSum> ring =
-		sumOverRings(m, workers, [&](int f) { return integratedCurvature(m, normal, f); });
+	Buffer<CurvatureSum> ring = sumOverRings(surface.mesh, workers);
 	for (int pass = 0; pass < ringPasses; ++pass)
-		averageOverRings(m, workers, ring);
+		averageOverRings(surface.mesh, workers, ring);
 	Buffer<float> h(ring.size());
 	for (std::size_t v = 0; v < ring.size(); ++v)
 		h[v] = ring[v].area > 0 ? ring[v].curvature / ring[v].area : 0.0f;
@@ -436,7 +394,7 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	if (!wantsErrorSizes(request) && !wantsOtherSizes(request)) return Sizing();
+	if (!(request.options.adapt > 0) && !wantsOtherSizes(request)) return Sizing();
 	return isPaper(request.options) ? makePrinted(request, surface, workers)
 									: makeCalibrated(request, surface, workers);
 }

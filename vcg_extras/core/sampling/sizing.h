@@ -30,14 +30,14 @@ struct Sizing {
 /// The inputs of the sizing of a run.
 struct SizingRequest {
 	const RemeshOptions&    options;
-	float                   radius;              ///< from eq. (1), working units
-	float                   evenEdge;            ///< edge of equal triangles, working units
-	const Buffer<char>&     lines;               ///< feature lines, per half-edge; empty: none
-	const Buffer<char>&     isFeatureVertex;     ///< per vertex of the surface; empty: none
-	const std::vector<int>& kept;                ///< input vertices to keep, ascending
-	const FineSpots*        fineSpots = nullptr; ///< places with smaller triangles; or null
+	float                   radius;          ///< from eq. (1), working units
+	float                   evenEdge;        ///< edge of equal triangles, working units
+	const Buffer<char>&     lines;           ///< feature lines, per half-edge; empty: none
+	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
+	const std::vector<int>& kept;            ///< input vertices to keep, ascending
+	const FineSpots&        fineSpots;       ///< places with smaller triangles
 	/// Wanted edges at the vertices of the surface, from the user, working units; empty: none.
-	const Buffer<float>* wantedEdge = nullptr;
+	const Buffer<float>& wantedEdge;
 };
 
 /// Stage::Sizing: computes the density of the samples (paper §3.1.2) and the smaller disks of a

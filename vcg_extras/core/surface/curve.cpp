@@ -27,7 +27,7 @@ Place placeAt(const Curve& c, float s)
 	const float w      = c.wrap(s);
 	const int   from   = c.segmentAt(w);
 	const int   to     = (from + 1) % c.pointNum();
-	const float extent = (to > 0 ? c.arc[to] : c.length) - c.arc[from];
+	const float extent = c.lengthOf(from);
 	const float share  = extent > 0 ? std::clamp((w - c.arc[from]) / extent, 0.0f, 1.0f) : 0.0f;
 	return {c.point[from] * (1 - share) + c.point[to] * share,
 			c.size.empty() ? 1 : c.size[from] * (1 - share) + c.size[to] * share};

@@ -11,11 +11,11 @@ namespace gpr {
 
 /// A polyline on the surface, by arc length: a loop of the border or a feature line.
 struct Curve {
-	std::vector<int>   vertex; ///< vertices of the surface, in order
-	std::vector<Vec3f> point;  ///< positions of the vertices
-	std::vector<int>   face;   ///< face at the segment from point i to the next
-	std::vector<float> arc;    ///< arc length at point i
-	std::vector<float> size;   ///< wanted size at point i over the largest; empty: 1 everywhere
+	std::vector<int>   vertex;   ///< vertices of the surface, in order
+	std::vector<Vec3f> point;    ///< positions of the vertices
+	std::vector<int>   halfEdge; ///< half-edge of the surface from point i to the next
+	std::vector<float> arc;      ///< arc length at point i
+	std::vector<float> size;     ///< wanted size at point i over the largest; empty: 1 everywhere
 	float              length   = 0;
 	bool               isClosed = true; ///< the last point is followed by the first
 
@@ -24,11 +24,14 @@ struct Curve {
 	float wrap(float s) const;
 	/// The segment that holds arc length s, after wrapping.
 	int   segmentAt(float s) const;
+	int   faceAt(float s) const { return halfEdge[segmentAt(s)] / 3; }
 	Vec3f at(float s) const;
 	float sizeAt(float s) const;
 	float smallestSize() const;
 	/// Arc length of point i; i may run on past the end of a closed curve, once round.
 	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
+	/// Arc length of the segment from point i to the next.
+	float lengthOf(int i) const { return arcOf(i + 1) - arc[i]; }
 };
 
 /// Wanted spacing of samples on a piece of a curve, by chords.

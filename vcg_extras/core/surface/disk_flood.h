@@ -107,7 +107,6 @@ public:
 
 	/// Floods have different numbers, so that no flood takes a mark of another thread for its own.
 	/// The next numbers are last + step, last + 2 step and so on.
-	int  floodNumber() const { return flood_; }
 	void numberFrom(int last, int step)
 	{
 		flood_ = last;
