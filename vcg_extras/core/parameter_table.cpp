@@ -109,7 +109,7 @@ struct Row {
 		p.defaultValue = [](const MeshFacts&) { return Value(Automatic()); };
 		return *this;
 	}
-	/// Another default than that of the options.
+	/// A default that differs from the default in the options.
 	Row& byDefault(Value (*value)(const MeshFacts&))
 	{
 		p.defaultValue = value;

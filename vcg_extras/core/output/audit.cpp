@@ -122,7 +122,7 @@ bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& work
 		   after.falseEdges(workers).empty() && !after.hasTwinFaces(workers);
 }
 
-/// The failed checks but that of the count.
+/// The failed checks, without the check of the count.
 std::string faultsOf(const AuditFigures& a)
 {
 	std::string what;
