@@ -261,6 +261,7 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 	const Sampling       s         = sampleFront(surface, boundary, partition, r, 1, workers);
 	EXPECT_FALSE(s.capped);
 	EXPECT_EQ(s.boundarySampleNum, 0);
+	EXPECT_LT(double(s.fillNum), 0.05 * double(s.samples.size())) << "nearly all are intersections";
 	std::vector<Vec3d> places;
 	for (const Sample& sample : s.samples)
 		places.push_back(Vec3d(sample.point.position));

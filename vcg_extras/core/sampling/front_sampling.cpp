@@ -99,7 +99,8 @@ public:
 		flood_.numberFrom(worker, workers.threadNum());
 	}
 
-	bool capped() const { return capped_; }
+	std::int64_t fillNum() const { return fillNum_; }
+	bool         capped() const { return capped_; }
 
 	/// Floods from a sample on a curve, which has its place already.
 	void floodGiven(int s)
@@ -153,6 +154,7 @@ private:
 	int              scanned_   = 0; ///< vertices of the block seen by the scan
 	int              scanStart_ = 0;
 	std::uint32_t    random_    = 1; ///< of the block, from the seed
+	std::int64_t     fillNum_   = 0;
 	bool             capped_    = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
@@ -257,7 +259,9 @@ private:
 		}
 		while (nextBorderEdge_ < borderEdges_.size()) {
 			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
-			if (!isTaken(place)) return true;
+			if (isTaken(place)) continue;
+			++fillNum_;
+			return true;
 		}
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
@@ -273,6 +277,7 @@ private:
 			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0 || !isOpen(v)) continue;
 			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
 			++scanned_;
+			++fillNum_;
 			return true;
 		}
 		return false;
@@ -734,8 +739,10 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	floodGiven(m, boundary, partition, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
 	sampleBlocks(partition, false, workers, samplers);
-	for (const BlockSampler& s : samplers)
+	for (const BlockSampler& s : samplers) {
+		result.fillNum += s.fillNum();
 		result.capped = result.capped || s.capped();
+	}
 	result.nearest.swap(shared.field.nearest);
 	compact(shared, workers, result);
 	labelBorder(boundary, result);
