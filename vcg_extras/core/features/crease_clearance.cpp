@@ -5,6 +5,7 @@
 #include <vcg_extras/core/base/angle.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gpr {
 
@@ -30,6 +31,19 @@ float dihedralAngle(const HalfEdgeMesh& m, int h)
 	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(g / 3);
 	if (!(squaredLength(a) > 0 && squaredLength(b) > 0)) return 0;
 	return angleBetween(a, b);
+}
+
+bool isSharpEdge(const HalfEdgeMesh& m, int h, float cosine)
+{
+	const Vec3f a = m.position[m.origin[h]], ab = m.position[m.target(h)] - a;
+	const Vec3f own   = cross(ab, m.position[m.apex(h)] - a);
+	const Vec3f other = cross(m.position[m.apex(m.opposite[h])] - a, ab);
+	// In double: as floats, the fourth powers of short edges would vanish.
+	const double scale = double(squaredLength(own)) * double(squaredLength(other));
+	const double d     = double(dot(own, other));
+	if (!(scale > 0)) return false;
+	if (cosine > 0 && d > 0) return d * d <= double(cosine) * double(cosine) * scale;
+	return d <= double(cosine) * std::sqrt(scale);
 }
 
 CreaseClearance::CreaseClearance(const Surface& surface, bool isSplit,

@@ -14,6 +14,10 @@ namespace gpr {
 /// faces.
 float dihedralAngle(const HalfEdgeMesh& mesh, int h);
 
+/// Whether the normals of the two faces of the inner edge h enclose at least an angle, given by its
+/// cosine; false beside degenerate faces.
+bool isSharpEdge(const HalfEdgeMesh& mesh, int h, float cosine);
+
 /// Tells real crease edges from noise. A real crease is much sharper than the edges beside it; an
 /// edge of noise has neighbours nearly as sharp.
 ///

@@ -8,12 +8,13 @@
 
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/portable_math.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <unordered_map>
+#include <numeric>
 
 namespace gpr {
 
@@ -88,22 +89,8 @@ private:
 	void addSharpEdges(int v, float cosine, std::vector<int>& out) const
 	{
 		forEachOutgoing(m_, v, [&](int h) {
-			if (m_.opposite[h] > h && isSharp(h, cosine)) out.push_back(h);
+			if (m_.opposite[h] > h && isSharpEdge(m_, h, cosine)) out.push_back(h);
 		});
-	}
-
-	/// Whether the faces of h meet at an angle whose cosine is at most `cosine`.
-	bool isSharp(int h, float cosine) const
-	{
-		const Vec3f a = m_.position[m_.origin[h]], ab = m_.position[m_.target(h)] - a;
-		const Vec3f own   = cross(ab, m_.position[m_.apex(h)] - a);
-		const Vec3f other = cross(m_.position[m_.apex(m_.opposite[h])] - a, ab);
-		// In double: as floats, the fourth powers of short edges would vanish.
-		const double scale = double(squaredLength(own)) * double(squaredLength(other));
-		const double d     = double(dot(own, other));
-		if (!(scale > 0)) return false;
-		if (cosine > 0 && d > 0) return d * d <= double(cosine) * double(cosine) * scale;
-		return d <= double(cosine) * std::sqrt(scale);
 	}
 
 	void markAll(const std::vector<int>& edges)
@@ -145,10 +132,10 @@ private:
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
 		if (areNoise(sharp, isClear)) return true;
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents();
-		const float                           least    = clearLength * meanEdge();
-		const auto                            stands   = [&](int h) {
-            return float(extentAt.at(m_.origin[h]).length) >= least && isClear(h);
+		const ConnectedLines lines  = connectedLines();
+		const float          least  = clearLength * meanEdge();
+		const auto           stands = [&](int h) {
+            return float(lines.at(m_.origin[h]).length) >= least && isClear(h);
 		};
 		return areNoise(sharp, stands);
 	}
@@ -186,25 +173,35 @@ private:
 		int    endNum = 0; ///< free ends
 	};
 
-	/// The extent for every vertex of the marked edges.
-	std::unordered_map<int, Extent> extentOfComponents() const
+	/// The marked edges as connected lines.
+	struct ConnectedLines {
+		std::vector<int>    vertex; ///< of the marked edges, ascending
+		std::vector<int>    first;  ///< per vertex: the place of the first vertex of its lines
+		std::vector<Extent> extent; ///< at the places of first vertices
+
+		const Extent& at(int v) const { return extent[first[placeIn(vertex, v)]]; }
+	};
+
+	ConnectedLines connectedLines() const
 	{
-		std::unordered_map<int, int> parent;
-		std::vector<int>             vertices;
-		for (int h : edges_) {
-			for (int v : {m_.origin[h], m_.target(h)}) {
-				if (parent.insert({v, v}).second) vertices.push_back(v);
-			}
-			joinSets(parent, m_.origin[h], m_.target(h));
-		}
-		std::unordered_map<int, Extent> extentAt;
+		ConnectedLines lines;
 		for (int h : edges_)
-			extentAt[rootOf(parent, m_.origin[h])].length += double(m_.edgeLength(h));
-		for (int v : vertices)
-			extentAt[rootOf(parent, v)].endNum += isFreeEnd(v);
-		for (int v : vertices)
-			extentAt[v] = extentAt[rootOf(parent, v)];
-		return extentAt;
+			lines.vertex.insert(lines.vertex.end(), {m_.origin[h], m_.target(h)});
+		sortUnique(lines.vertex);
+		lines.first.resize(lines.vertex.size());
+		lines.extent.resize(lines.vertex.size());
+		std::iota(lines.first.begin(), lines.first.end(), 0);
+		const auto placeOf = [&](int v) { return placeIn(lines.vertex, v); };
+		for (int h : edges_)
+			joinSets(lines.first, placeOf(m_.origin[h]), placeOf(m_.target(h)));
+		// The first vertex of a set comes before its other vertices, so its own entry is final.
+		for (int& first : lines.first)
+			first = lines.first[first];
+		for (int h : edges_)
+			lines.extent[lines.first[placeOf(m_.origin[h])]].length += double(m_.edgeLength(h));
+		for (std::size_t i = 0; i < lines.vertex.size(); ++i)
+			lines.extent[lines.first[i]].endNum += isFreeEnd(lines.vertex[i]);
+		return lines;
 	}
 
 	// ---- growing
@@ -260,8 +257,8 @@ private:
 
 	void dropShortOnes()
 	{
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents();
-		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
+		const ConnectedLines lines = connectedLines();
+		keepOnly([&](int h) { return isLongEnough(lines.at(m_.origin[h])); });
 		std::vector<int> spurs;
 		for (int h : edges_) {
 			for (int e : {h, m_.opposite[h]}) {

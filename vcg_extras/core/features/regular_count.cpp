@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regular_count.h"
 
+#include "crease_clearance.h"
+
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/surface/surface_ray.h>
 
@@ -29,21 +31,19 @@ struct Side {
 	float length;
 };
 
-bool isSharp(const HalfEdgeMesh& m, float cosine, int h)
+bool isSide(const HalfEdgeMesh& m, float cosine, int h)
 {
-	if (m.isBorderEdge(h)) return true;
-	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(m.opposite[h] / 3);
-	return dot(a, b) < cosine * length(a) * length(b);
+	return m.isBorderEdge(h) || isSharpEdge(m, h, cosine);
 }
 
 /// The sides whose strips are narrower than reach. cosine: of the normals at a crease edge.
 std::vector<Side> narrowSides(const HalfEdgeMesh& m, float cosine, float reach, Workers& workers)
 {
 	return workers.collectEach<Side>(std::size_t(m.halfEdgeNum()), [&](int h, auto& out) {
-		if (!isSharp(m, cosine, h)) return;
+		if (!isSide(m, cosine, h)) return;
 		float width = reach;
 		traceRay(m, h, {0, 1}, reach, maxCrossings, [&](int exit, float at) {
-			if (at < width && isSharp(m, cosine, exit)) width = at;
+			if (at < width && isSide(m, cosine, exit)) width = at;
 		});
 		if (width < reach) out.push_back({width, m.edgeLength(h)});
 	});

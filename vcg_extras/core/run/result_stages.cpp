@@ -309,28 +309,6 @@ namespace {
 
 // ---- The trials for an error bound.
 
-/// How strongly the next trial reacts to places beyond the error bound.
-struct Effort {
-	double reachInEdges; ///< radius of smaller triangles round a place, in ideal edges
-	/// Factor on the size that would suffice if the error were proportional to the size, as on
-	/// creases and rims. Below 1, because each trial places samples elsewhere.
-	double caution;
-};
-
-/// The first trial leaves many far places, the second fewer; later trials shall leave none.
-constexpr Effort effortOfTrial[] = {{1.2, 0.75}, {1.5, 0.6}, {1.5, 0.5}};
-constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
-
-FineSpot spotAt(const FarPlace& place, const Effort& effort, double goal, double edge,
-				const Surface& surface)
-{
-	FineSpot spot;
-	spot.position = surface.frame.toCaller(Vec3f(place.position));
-	spot.reach    = (effort.reachInEdges * edge + place.distance) / surface.frame.scale;
-	spot.factor   = std::clamp(effort.caution * goal / place.distance, leastOfTrial, mostOfTrial);
-	return spot;
-}
-
 double areaOf(const std::vector<FarPlace>& places)
 {
 	double area = 0;
@@ -351,18 +329,16 @@ ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces
 {
 	const Surface& surface  = made.surface;
 	const double   limit    = goal * surface.frame.scale;
-	const Effort&  effort   = effortOfTrial[std::min<std::size_t>(spots.size(), 2)];
 	const auto     ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
 	const auto     ofResult = placesBeyond(both.result, both.input, limit, run.workers);
 	const double   total    = surfaceArea(surface.mesh, run.workers);
 	ErrorFacts     facts;
-	facts.share         = std::min(1.0, areaOf(ofInput) / std::max(total, 1e-300));
-	const double before = growthBy(spots, surface, run.workers);
+	facts.share               = std::min(1.0, areaOf(ofInput) / std::max(total, 1e-300));
+	const double       before = growthBy(spots, surface, run.workers);
+	const TrialOfSpots trial{spots.size(), limit, double(made.result.idealEdge)};
 	spots.emplace_back();
 	for (const std::vector<FarPlace>* places : {&ofInput, &ofResult})
-		for (const FarPlace& p : *places)
-			spots.back().push_back(
-				spotAt(p, effort, limit, double(made.result.idealEdge), surface));
+		addSpots(*places, trial, surface.frame, spots.back());
 	facts.growth = growthBy(spots, surface, run.workers) / before;
 	return facts;
 }

@@ -11,6 +11,18 @@ namespace gpr {
 
 namespace {
 
+/// How strongly the next trial reacts to places beyond the error bound.
+struct Effort {
+	double reachInEdges; ///< radius of smaller triangles round a place, in ideal edges
+	/// Factor on the size that would suffice if the error were proportional to the size, as on
+	/// creases and rims. Below 1, because each trial places samples elsewhere.
+	double caution;
+};
+
+/// The first trial leaves many far places, the second fewer; later trials shall leave none.
+constexpr Effort effortOfTrial[] = {{1.2, 0.75}, {1.5, 0.6}, {1.5, 0.5}};
+constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
+
 /// A grid whose cells list the spots that reach into the cell.
 class SpotGrid {
 public:
@@ -67,6 +79,20 @@ private:
 };
 
 } // namespace
+
+void addSpots(const std::vector<FarPlace>& places, const TrialOfSpots& trial, const Frame& frame,
+			  std::vector<FineSpot>& spots)
+{
+	const Effort& effort = effortOfTrial[std::min<std::size_t>(trial.before, 2)];
+	for (const FarPlace& place : places) {
+		FineSpot spot;
+		spot.position = frame.toCaller(Vec3f(place.position));
+		spot.reach    = (effort.reachInEdges * trial.edge + place.distance) / frame.scale;
+		spot.factor =
+			std::clamp(effort.caution * trial.goal / place.distance, leastOfTrial, mostOfTrial);
+		spots.push_back(spot);
+	}
+}
 
 Buffer<float> factorsOf(const FineSpots& spots, const Surface& surface, Workers& workers)
 {

@@ -33,12 +33,10 @@ struct ResultFacts {
 	float idealEdge = 0;          ///< edge of the lattice of equilateral triangles, L0
 	int   copyNum   = 0;          ///< vertices that go when sheets are joined: see junctions.h
 
-	std::int64_t flipNum       = 0;
-	std::int64_t splitNum      = 0;
-	std::int64_t collapseNum   = 0;
-	std::int64_t byCollapseNum = 0; ///< input vertices removed by collapses, as their holes could
-									///< not be closed
-	std::int64_t leftoverNum = 0;   ///< input vertices that could not be removed
+	std::int64_t flipNum     = 0;
+	std::int64_t splitNum    = 0;
+	std::int64_t collapseNum = 0;
+	std::int64_t leftoverNum = 0; ///< input vertices that could not be removed
 };
 
 /// The result mesh under way, from retriangulation to the end. Before the fit,
