@@ -150,7 +150,6 @@ bool Plan::has(Step step) const
 	case Step::Check:        return becomesMesh;
 	case Step::Refinement:   return isTrial && mayStillRefine;
 	case Step::Error:        return isTrial;
-	case Step::Release:      return false; // entered by judge(FitFacts) only
 	default:                 return isOfOwn && becomesMesh;
 	}
 	// clang-format on
@@ -604,7 +603,8 @@ std::string Plan::judge(const RelaxationFacts& facts)
 
 std::string Plan::judge(const FitFacts& facts)
 {
-	return returnIf(facts.areLinesCrowded, Step::Release);
+	decisions_.keepsCrowdedLines = facts.hasLostSurface;
+	return returnIf(facts.hasLostSurface, Step::Fit);
 }
 
 /// Sheets intersect beside a junction. If the target is a wish, the next mesh has half as many
