@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_labels.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
 #include <map>
+#include <numeric>
 
 namespace gpr {
 
@@ -28,7 +31,7 @@ public:
 		for (int pass = 0; pass < maxPasses; ++pass) {
 			workers.poll();
 			findPieces();
-			const int changes = joinPieces() + joinEnclosed() + joinNotches() + closeGaps();
+			const int changes = joinPieces() + joinEnclosed() + fillNotchesAndGaps();
 			if (changes == 0) return;
 		}
 	}
@@ -188,33 +191,35 @@ private:
 		return euler;
 	}
 
-	/// Gives each vertex the label that `find` returns for the vertex, if any.
-	template <class Find>
-	int relabel(const Find& find)
+	/// Fills notches and gaps until none is left. A change makes further ones beside itself only, so
+	/// that later looks are few.
+	int fillNotchesAndGaps()
 	{
-		int changes = 0;
-		for (int v = 0; v < m_.vertexNum; ++v) {
-			const int label = m_.outgoing[v] < 0 ? -1 : find(v);
-			if (label < 0) continue;
-			label_[std::size_t(v)] = label;
-			++changes;
+		int              changes = 0;
+		std::vector<int> vertices(std::size_t(m_.vertexNum));
+		std::iota(vertices.begin(), vertices.end(), 0);
+		while (!vertices.empty()) {
+			std::vector<int> beside;
+			for (int v : vertices) {
+				const int label = cellToJoin(v);
+				if (label < 0) continue;
+				label_[std::size_t(v)] = label;
+				++changes;
+				forEachNeighbour(m_, v, [&](int w) { beside.push_back(w); });
+			}
+			sortUnique(beside);
+			vertices.swap(beside);
 		}
 		return changes;
 	}
 
-	/// Gives inner vertices that meet a cell more than once to this cell.
-	int joinNotches()
+	/// The cell that an inner vertex meets more than once, or a cell beside a vertex beyond the
+	/// border that meets inner vertices; else -1.
+	int cellToJoin(int v)
 	{
-		return relabel([this](int v) { return isInside(v) ? metTwice(v) : -1; });
-	}
-
-	/// Gives vertices beyond the border that meet inner vertices to a cell beside.
-	int closeGaps()
-	{
-		return relabel([this](int v) {
-			const bool isGap = !isInside(v) && !isBorder(v) && meetsInside(v);
-			return isGap ? labelBeside(v, [this](int w) { return isBorder(w); }) : -1;
-		});
+		if (m_.outgoing[v] < 0 || isBorder(v)) return -1;
+		if (isInside(v)) return metTwice(v);
+		return meetsInside(v) ? labelBeside(v, [this](int w) { return isBorder(w); }) : -1;
 	}
 
 	bool meetsInside(int v) const
