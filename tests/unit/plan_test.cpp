@@ -76,8 +76,8 @@ public:
 	std::function<SampleFacts(const Decisions&)>     samples;
 	std::function<RelaxationFacts(const Decisions&)> mesh;
 	std::function<ContactFacts(const Decisions&)>    contacts;
-	bool                                             mustSew = false;
-	bool losesSurface                                        = false; ///< without crowded lines
+	bool                                             mustSew    = false;
+	bool                                             areCrowded = false;
 
 	std::vector<Step>        steps; ///< in the order in which they were taken
 	std::vector<std::string> told;
@@ -154,7 +154,7 @@ private:
 			return tell(plan_.judge(facts));
 		}
 		case Step::Fit:
-			return tell(plan_.judge(FitFacts{losesSurface && !d.keepsCrowdedLines}));
+			return tell(plan_.judge(FitFacts{areCrowded}));
 		case Step::Contacts:
 			return tell(plan_.judge(
 				contacts ? contacts(d)
@@ -201,7 +201,8 @@ TEST(Plan, TakesTheStepsInTheirOrderWithoutAWord)
 		EXPECT_TRUE(run.told.empty());
 		EXPECT_TRUE(std::is_sorted(run.steps.begin(), run.steps.end()));
 		EXPECT_EQ(run.numOf(Step::Forecast) + run.numOf(Step::GivenSamples) +
-					  run.numOf(Step::Refinement) + run.numOf(Step::Error),
+					  run.numOf(Step::Release) + run.numOf(Step::Refinement) +
+					  run.numOf(Step::Error),
 				  0);
 		EXPECT_EQ(run.steps.front(), Step::Region);
 		EXPECT_EQ(run.steps.back(), Step::Export);
@@ -610,12 +611,13 @@ TEST(Plan, RefusesAfterASearchThatFailedBelowTheSmallest)
 
 // From the mesh to the result.
 
-TEST(Plan, KeepsCrowdedLinesWithoutWhichTheSurfaceIsLost)
+TEST(Plan, ReleasesCrowdedLinesOnce)
 {
 	PlannedRun run(order(500));
-	run.losesSurface = true;
+	run.areCrowded = true;
 	run.go();
-	EXPECT_EQ(run.numOf(Step::Fit), 2);
+	EXPECT_EQ(run.numOf(Step::Release), 1);
+	EXPECT_EQ(run.numOf(Step::Fit), 1);
 	EXPECT_EQ(run.numOf(Step::Contacts), 1);
 }
 

@@ -150,6 +150,7 @@ bool Plan::has(Step step) const
 	case Step::Check:        return becomesMesh;
 	case Step::Refinement:   return isTrial && mayStillRefine;
 	case Step::Error:        return isTrial;
+	case Step::Release:      return false; // entered by judge(FitFacts) only
 	default:                 return isOfOwn && becomesMesh;
 	}
 	// clang-format on
@@ -603,8 +604,7 @@ std::string Plan::judge(const RelaxationFacts& facts)
 
 std::string Plan::judge(const FitFacts& facts)
 {
-	decisions_.keepsCrowdedLines = facts.hasLostSurface;
-	return returnIf(facts.hasLostSurface, Step::Fit);
+	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
 /// Sheets intersect beside a junction. If the target is a wish, the next mesh has half as many

@@ -33,6 +33,7 @@ enum class Step {
 	Count,        ///< `Count`
 	Relaxation,   ///< `Relaxation`
 	Fit,          ///< `Fit`, `Angles`
+	Release,      ///< `Fit`, `Angles`, after crowded feature lines were released
 	Contacts,     ///< `Contacts`
 	Refinement,   ///< `Fit`, only for a largest error
 	Error,        ///< `Error`
@@ -70,7 +71,6 @@ struct Decisions {
 	std::int64_t faceNum           = 0;
 	int          lineLimit         = 0;     ///< a higher limit leaves fewer feature lines
 	bool         keepsRaggedBorder = false; ///< the run gave up BoundaryMode::Smooth
-	bool         keepsCrowdedLines = false; ///< feature lines stay, however close to each other
 	bool         mayEndAbove       = false; ///< the mesh may get more vertices than vertexNum
 	std::int64_t addedNum          = 0;     ///< vertices beyond vertexNum, at single places
 	/// Disk radius in working units; none: the radius that goes with the count.
@@ -129,7 +129,7 @@ struct RelaxationFacts {
 	std::int64_t faceNum         = 0;
 };
 struct FitFacts {
-	bool hasLostSurface = false; ///< without crowded lines the mesh is too far from the surface
+	bool areLinesCrowded = false; ///< feature lines are too close to each other for good angles
 };
 struct ContactFacts {
 	std::int64_t before    = 0;     ///< vertices before the step
@@ -184,8 +184,7 @@ struct Request {
 ///     5 count missed                               by topology alone            Input
 ///     6 missed by topology, too                    smallest count, or refused   Input
 ///     7 at few vertices a degenerate face          the next count, eight times  Input
-///     crowded lines released, and the mesh is
-///       too far from the surface                   lines kept                   Fit
+///     crowded lines after the fit                  lines released               Release
 ///     no contacts, but above the count             larger count, or refused     -
 ///     sheets intersect beside a junction           half as many again, up to 8
 ///                                                    times, or refused          Lines

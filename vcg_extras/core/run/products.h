@@ -92,7 +92,7 @@ struct Products {
 	Samples                       samples; ///< Samples; Triangles consumes the samples
 	BoundaryCurves                curves;  ///< Triangles: the curves with vertices
 	ResultMesh                    result;  ///< Triangles to Contacts
-	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit, if feature lines were released
+	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit, if feature lines may be released
 
 	// Figures of the later steps.
 	std::int64_t   releasedNum = 0;         ///< vertices released from crowded lines

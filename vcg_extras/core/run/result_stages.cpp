@@ -115,13 +115,9 @@ bool mayReleaseLines(const RunContext& run)
 		   !hasGivenLines(run.input) && run.options.featureMode != FeatureMode::Lines;
 }
 
-/// The mesh before the release is kept, because released vertices may lose the surface.
-void releaseCrowdedLines(RunContext& run, Products& made)
+bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 {
-	const float angle = minAngleDeg(run.options);
-	if (!mayReleaseLines(run) || !areLinesCrowded(angle, made.result, run.workers)) return;
-	made.beforeFit   = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
-	made.releasedNum = releaseLines(angle, made.result, run.workers);
+	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
 /// The distance between the input and a mesh, in ideal edges.
@@ -223,17 +219,27 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.releasedNum = 0;
-	if (decisions.keepsCrowdedLines && made.beforeFit != nullptr)
-		made.result = std::move(*made.beforeFit);
-	else
-		releaseCrowdedLines(run, made);
+	const bool mayRelease = mayReleaseLines(run) && areLinesCrowded(run, made.result);
+	if (mayRelease)
+		made.beforeFit = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
 	fitAndRepair(run, decisions, made);
-	if (made.releasedNum == 0) return {};
-	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) return {true};
-	run.tell("Some feature lines are too close to each other for good angles; " +
-			 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
-	return {};
+	return {mayRelease && areLinesCrowded(run, made.result)};
+}
+
+void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
+{
+	ResultMesh withLines = std::move(made.result);
+	made.result          = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum     = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	fitAndRepair(run, decisions, made);
+	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
+		made.releasedNum = 0;
+		made.result      = std::move(withLines);
+	}
+	else {
+		run.tell("Some feature lines are too close to each other for good angles; " +
+				 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
+	}
 }
 
 namespace {

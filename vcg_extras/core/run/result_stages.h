@@ -29,9 +29,12 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made);
 
 /// Step Fit: fits the mesh to the input, if the options ask for a fit, then raises the smallest
 /// angles. The fit is the last step to move all vertices; vertices leave the surface in this step.
-/// Before the fit, feature lines that are too close to each other for good angles are released,
-/// unless the decisions keep these lines: then a released mesh goes back first.
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made);
+
+/// Step Release: releases feature lines that are too close to each other for good angles, and fits
+/// the mesh from before the fit again. If the mesh is then too far from the surface, the result
+/// stays as before the step.
+void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Contacts: removes self-intersections from the result, if the options ask for that.
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made);
