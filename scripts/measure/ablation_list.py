@@ -78,7 +78,7 @@ ABLATIONS = [
      "if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();", ""),
     ("lines", "lines grow from their ends", "features/crease_lines.cpp", "\t\t\tgrowFromEnds(sharp);\n", ""),
     ("lines", "release of crowded lines", "run/result_stages.cpp",
-     "if (!mayReleaseLines(run) || !areLinesCrowded(angle, made.result, run.workers)) return;", "return;"),
+     "return {mayRelease && areLinesCrowded(run, made.result)};", "return {false};"),
     ("sizes", "splitting for small sizes", "run/surface_stages.cpp", "if (longFaces.empty()) return;", "return;"),
 ]
 

@@ -31,7 +31,7 @@ public:
 		for (int pass = 0; pass < maxPasses; ++pass) {
 			workers.poll();
 			findPieces();
-			const int changes = joinPieces() + joinEnclosed() + fillNotchesAndGaps();
+			const int changes = joinPieces() + joinEnclosed() + fillGapsAndNotches();
 			if (changes == 0) return;
 		}
 	}
@@ -191,36 +191,41 @@ private:
 		return euler;
 	}
 
-	/// Fills notches and gaps until none is left. A change makes further ones beside itself only, so
-	/// that later looks are few.
-	int fillNotchesAndGaps()
+	/// Fills gaps and notches until none is left. A change makes further ones beside itself only,
+	/// so that later looks are few. Gaps come first: a cell on both sides of a gap looks like a
+	/// notch.
+	int fillGapsAndNotches()
 	{
 		int              changes = 0;
-		std::vector<int> vertices(std::size_t(m_.vertexNum));
+		std::vector<int> vertices(std::size_t(m_.vertexNum)), beside;
 		std::iota(vertices.begin(), vertices.end(), 0);
+		const auto join = [&](int v, int label) {
+			if (label < 0) return;
+			label_[std::size_t(v)] = label;
+			++changes;
+			forEachNeighbour(m_, v, [&](int w) { beside.push_back(w); });
+		};
 		while (!vertices.empty()) {
-			std::vector<int> beside;
-			for (int v : vertices) {
-				const int label = cellToJoin(v);
-				if (label < 0) continue;
-				label_[std::size_t(v)] = label;
-				++changes;
-				forEachNeighbour(m_, v, [&](int w) { beside.push_back(w); });
-			}
+			for (int v : vertices)
+				join(v, cellBesideGap(v));
+			for (int v : vertices)
+				join(v, cellRoundNotch(v));
 			sortUnique(beside);
 			vertices.swap(beside);
+			beside.clear();
 		}
 		return changes;
 	}
 
-	/// The cell that an inner vertex meets more than once, or a cell beside a vertex beyond the
-	/// border that meets inner vertices; else -1.
-	int cellToJoin(int v)
+	/// A cell beside a vertex beyond the border that meets inner vertices; -1 for other vertices.
+	int cellBesideGap(int v) const
 	{
-		if (m_.outgoing[v] < 0 || isBorder(v)) return -1;
-		if (isInside(v)) return metTwice(v);
-		return meetsInside(v) ? labelBeside(v, [this](int w) { return isBorder(w); }) : -1;
+		if (m_.outgoing[v] < 0 || isInside(v) || isBorder(v) || !meetsInside(v)) return -1;
+		return labelBeside(v, [this](int w) { return isBorder(w); });
 	}
+
+	/// The cell that an inner vertex meets more than once; -1 for other vertices.
+	int cellRoundNotch(int v) { return m_.outgoing[v] < 0 || !isInside(v) ? -1 : metTwice(v); }
 
 	bool meetsInside(int v) const
 	{
