@@ -56,9 +56,6 @@ constexpr std::int64_t workOfPairs = 12000000;
 /// Shares of maxGap, in order: changes that leave faces near the surface come first.
 constexpr float sharesOfMaxGap[] = {0.7f, 1};
 
-/// Factor on the budget for inverted faces, because no later search repairs these faces.
-constexpr std::int64_t shareOfOrientation = 2;
-
 std::int64_t workFor(int faceNum)
 {
 	return minWork + workPerFace * faceNum;
@@ -316,7 +313,7 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 						 ResultMesh& result, Workers& workers)
 {
 	turnTetrahedra(surface, result, workers);
-	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
+	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const Goal   goal = invertedFaces(search, mayCollapse);
 	// Degenerate faces are among these.
