@@ -110,6 +110,8 @@ MUTANTS = [
      "return squaredLength(at - point.position) <= wanted * wanted;", "return true;"),
     ("share by which vertices rise", "optimization/fit.cpp", "constexpr float raisedShare = 1.0f / 3;",
      "constexpr float raisedShare = 0.2f;"),
+    ("raised vertices that invert faces go back", "optimization/fit.cpp", "return raiseAll(whole) && takeBackOffenders(whole);",
+     "return raiseAll(whole);"),
     ("far points: gain", "optimization/worst_distances.cpp",
      "return gapFrom(face).squared <= minGain * minGain * gap.squared;", "return true;",
      "a move along the gap brings the point closer but for the faces round it, whose distances are tested too; the "

@@ -216,7 +216,7 @@ private:
 		MoveGuard whole(limits_, shorteningOfFit, m_, workers_);
 		whole.start();
 		fitCurves(surface_, curves_, limits_.angle, settings_.curveFit, r_);
-		if (settings_.rounds == 0) return raiseAll(whole);
+		if (settings_.rounds == 0) return raiseAll(whole) && takeBackOffenders(whole);
 		const bool allKept = fitInRounds(map);
 		whole.takeOver();
 		return takeBackOffenders(whole) && allKept;
