@@ -42,8 +42,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 /// Tells the user about vertices made by the last step Contacts.
 void tellMade(RunContext& run, const Products& made);
 
-/// Step Refinement: makes triangles smaller at places beyond the error bound, unless the places are
-/// so many that all triangles are too large. Returns the number of added vertices.
+/// Step Refinement: makes triangles smaller at places beyond the error bound, unless there are too
+/// many places. Returns the number of added vertices.
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made);
 
 /// Step Error: proves the largest distance. If the distance is above the bound, the far places are

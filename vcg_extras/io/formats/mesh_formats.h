@@ -116,8 +116,8 @@ struct GlbLevel {
 };
 
 /// Writes a binary file whose node has several levels by the extension MSFT_lod, the finest first.
-/// Each node tells its largest error in its extras. The materials of the first level are those of
-/// all. Throws as writeGlb.
+/// Each node tells its largest error in its extras. All levels have the materials of the first
+/// level. Throws as writeGlb.
 void writeGlbLevels(const std::vector<GlbLevel>& levels, OutputFile& out);
 
 /// Whether this build has TinyGLTF, the library for glTF as text (.gltf). What a mesh is in glTF is
