@@ -196,32 +196,48 @@ private:
 		m_.vertexNum = int(vertexName_.size());
 	}
 
-	/// Returns the half-edges whose neighbours were split.
+	/// Moves the `width` values of each face to its new name.
+	template <class NewValue>
+	void moveOfFaces(int width, Buffer<int>& values, const NewValue& newValue)
+	{
+		Buffer<int> moved(std::size_t(width) * faceNum());
+		workers_.forEach(faceName_.size(), [&](int f) {
+			if (faceName_[f] < 0) return;
+			for (int k = 0; k < width; ++k)
+				moved[width * faceName_[f] + k] = newValue(values[width * f + k]);
+		});
+		values.swap(moved);
+	}
+
+	/// One array after the other: copies of all arrays at the same time would be the peak of the
+	/// run's memory. Returns the half-edges whose neighbours were split.
 	std::vector<int> moveFaces()
 	{
-		const std::size_t faceNum = faceName_.size() - longFaces_.size() + partName_.size();
-		Buffer<int>       origin(3 * faceNum), opposite(3 * faceNum), source(faceNum);
-		const auto        moveFace = [&](int f, std::vector<int>& open) {
-            const int name = faceName_[f];
-            if (name < 0) return;
-            source[name] = s_.sourceFace[f];
-            for (int k = 0; k < 3; ++k) {
-                const int h = 3 * name + k, old = m_.opposite[3 * f + k];
-                origin[h]   = vertexName_[m_.origin[3 * f + k]];
-                opposite[h] = halfEdgeName(old);
-                if (old >= 0 && opposite[h] < 0) open.push_back(h);
-            }
-		};
-		const std::vector<int> open = workers_.collectEach<int>(faceName_.size(), moveFace);
+		moveOfFaces(3, m_.origin, [&](int v) { return vertexName_[v]; });
+		moveOfFaces(1, s_.sourceFace, [](int source) { return source; });
+		const std::vector<int> open = findOpenHalfEdges();
+		moveOfFaces(3, m_.opposite, [&](int h) { return halfEdgeName(h); });
 		for (std::size_t i = 0; i < partName_.size(); ++i) {
 			const Face& part = split_.faces[i];
-			std::copy(part.corner, part.corner + 3, &origin[3 * partName_[i]]);
-			source[partName_[i]] = part.source;
+			std::copy(part.corner, part.corner + 3, &m_.origin[3 * partName_[i]]);
+			s_.sourceFace[partName_[i]] = part.source;
 		}
-		m_.origin.swap(origin);
-		m_.opposite.swap(opposite);
-		s_.sourceFace.swap(source);
-		m_.faceNum = int(faceNum);
+		m_.faceNum = int(faceNum());
+		return open;
+	}
+
+	std::size_t faceNum() const { return faceName_.size() - longFaces_.size() + partName_.size(); }
+
+	/// The half-edges of other faces beside split faces.
+	std::vector<int> findOpenHalfEdges() const
+	{
+		std::vector<int> open;
+		for (int f : longFaces_) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int beyond = halfEdgeName(m_.opposite[h]);
+				if (beyond >= 0) open.push_back(beyond);
+			}
+		}
 		return open;
 	}
 
