@@ -215,7 +215,7 @@ private:
 	{
 		moveOfFaces(3, m_.origin, [&](int v) { return vertexName_[v]; });
 		moveOfFaces(1, s_.sourceFace, [](int source) { return source; });
-		const std::vector<int> open = findOpenHalfEdges();
+		std::vector<int> open = findOpenHalfEdges();
 		moveOfFaces(3, m_.opposite, [&](int h) { return halfEdgeName(h); });
 		for (std::size_t i = 0; i < partName_.size(); ++i) {
 			const Face& part = split_.faces[i];
