@@ -150,7 +150,7 @@ private:
 			queue_.pop();
 			if (stamp_[std::size_t(c.a)] != c.stampA || stamp_[std::size_t(c.b)] != c.stampB)
 				continue;
-			if (++calls % 1024 == 0) workers_.poll(share());
+			if (++calls % 64 == 0) workers_.poll(share());
 			tryToCollapse(c.a, c.b);
 		}
 		queue_ = {};
