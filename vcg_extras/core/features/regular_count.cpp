@@ -31,6 +31,7 @@ struct Side {
 	float length;
 };
 
+/// Whether a strip may begin or end at h: at a border or at a crease edge.
 bool isSide(const HalfEdgeMesh& m, float cosine, int h)
 {
 	return m.isBorderEdge(h) || isSharpEdge(m, h, cosine);

@@ -102,7 +102,7 @@ PatchInput facesInCells(const HalfEdgeMesh& m, const LocalCells& cells, Workers&
 	local.ownNum = int(local.inputVertex.size());
 	for (int v : local.inputVertex)
 		local.byEdges.push_back(cells.labelOf(v));
-	workers.poll(); // a patch of half a million faces takes a tenth of a second a step
+	workers.poll(); // each step takes a tenth of a second with half a million faces
 	const std::vector<int> faces = facesBetween(m, local.inputVertex);
 	workers.poll();
 	const auto    inInput = [&](int h) { return 3 * faces[std::size_t(h / 3)] + h % 3; };

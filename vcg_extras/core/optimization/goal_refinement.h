@@ -11,9 +11,9 @@
 namespace gpr {
 
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
-/// in rounds. Does nothing if these are too many places: then all triangles are too large. Returns
-/// whether no point is beyond the goal any more. goal: working units.
-/// Cost: per round, placesBeyond in both directions, and refineAt.
+/// in rounds. Stops at too many places, because all triangles are too large then. Returns whether
+/// no point is beyond the goal any more. goal: working units. Cost: per round, placesBeyond in both
+/// directions, and refineAt.
 bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
 				  ResultMesh& result, Workers& workers);
 
