@@ -150,7 +150,7 @@ private:
 			queue_.pop();
 			if (stamp_[std::size_t(c.a)] != c.stampA || stamp_[std::size_t(c.b)] != c.stampB)
 				continue;
-			// Trials are slow in large patches, where a vertex stands for many points.
+			// A collapse is slow in a large patch, where a vertex has many points.
 			if (++calls % 64 == 0) workers_.poll(share());
 			tryToCollapse(c.a, c.b);
 		}
