@@ -534,6 +534,23 @@ TEST(Plan, RaisesAWishToTheSmallestAndMeshesAnew)
 	EXPECT_TRUE(run.says("7 vertices instead of 3"));
 }
 
+TEST(Plan, TakesTheSmallestAtOnceIfTheRightSpacingCannotReachIt)
+{
+	const auto stuckAbove = [](std::int64_t smallest) {
+		return [smallest](const Decisions& d) {
+			const bool isShaped = d.way != Way::ByTopology && d.vertexNum < smallest;
+			return reached(smallest + isShaped);
+		};
+	};
+	const PlannedRun run = runWith(wish(30), stuckAbove(65));
+	ASSERT_TRUE(run.isTaken());
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{30, 30}));
+	EXPECT_EQ(run.decisions().vertexNum, 65);
+	EXPECT_TRUE(run.says("65 vertices instead of 30"));
+	// Few vertices are quick to mesh anew, and may come out better.
+	EXPECT_EQ(countsOf(runWith(wish(30), stuckAbove(64))), (std::vector<std::int64_t>{30, 30, 64}));
+}
+
 TEST(Plan, TakesTheNearestWithKeptVerticesOrRefuses)
 {
 	const auto       mesh  = [](const Decisions&) { return reached(55); };

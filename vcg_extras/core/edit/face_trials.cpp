@@ -342,33 +342,44 @@ bool FaceTrials::make(const Operation& op)
 
 void FaceTrials::settle(const std::vector<int>& patch)
 {
+	int              changeNum = 0;
+	std::vector<int> failedAt(patch.size(), -1); // changes before the last move that failed
 	for (int pass = 0; pass < settlePasses; ++pass) {
+		const int before = changeNum;
 		if (patch.size() > 4) {
 			for (int f : facesRound(m_, patch)) {
 				for (int h = 3 * f; h < 3 * f + 3; ++h)
-					flipIfBetter(h, patch);
+					changeNum += flipIfBetter(h, patch);
 			}
 		}
-		for (int v : patch)
-			moveToBest(v);
+		for (std::size_t i = 0; i < patch.size(); ++i) {
+			if (failedAt[i] == changeNum) continue; // nothing is new for this vertex
+			if (moveToBest(patch[i]))
+				++changeNum;
+			else
+				failedAt[i] = changeNum;
+		}
+		if (changeNum == before) return;
 	}
 }
 
-/// patch: ascending.
-void FaceTrials::flipIfBetter(int h, const std::vector<int>& patch)
+/// Returns whether h was flipped. patch: ascending.
+bool FaceTrials::flipIfBetter(int h, const std::vector<int>& patch)
 {
-	if (m_.opposite[h] < 0) return;
+	if (m_.opposite[h] < 0) return false;
 	for (int v : editor_.cornersAt(h)) {
-		if (!std::binary_search(patch.begin(), patch.end(), v)) return;
+		if (!std::binary_search(patch.begin(), patch.end(), v)) return false;
 	}
 	const std::vector<int> pair = {std::min(h, m_.opposite[h]) / 3,
 								   std::max(h, m_.opposite[h]) / 3};
 	const float            cost = costOf(pair);
-	if (cost == 0 || !editor_.mayFlip(h)) return;
-	if (goal_.limits.gentleFlips && !editor_.isGentleFlip(h)) return;
+	if (cost == 0 || !editor_.mayFlip(h)) return false;
+	if (goal_.limits.gentleFlips && !editor_.isGentleFlip(h)) return false;
 	const Worst before = worstOf(pair);
 	editor_.flip(h);
-	if (!(costOf(pair) < settleShare * cost && keepsWorst(pair, before))) editor_.flipBack(h);
+	if (costOf(pair) < settleShare * cost && keepsWorst(pair, before)) return true;
+	editor_.flipBack(h);
+	return false;
 }
 
 bool FaceTrials::moveToBest(int v)

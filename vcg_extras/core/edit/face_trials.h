@@ -138,7 +138,7 @@ private:
 
 	bool make(const Operation& op);
 	void settle(const std::vector<int>& patch);
-	void flipIfBetter(int h, const std::vector<int>& patch);
+	bool flipIfBetter(int h, const std::vector<int>& patch);
 	bool moveToBest(int v);
 	bool stepFrom(int v, float reach, float& cost);
 

@@ -27,12 +27,15 @@ std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int ring
 
 std::vector<int> facesBetween(const HalfEdgeMesh& m, const std::vector<int>& vertices)
 {
-	std::vector<int> faces     = facesRound(m, vertices);
-	const auto       isOutside = [&](int f) {
-        const int* corner = &m.origin[3 * f];
-        return std::any_of(corner, corner + 3, [&](int v) { return placeIn(vertices, v) < 0; });
-	};
-	faces.erase(std::remove_if(faces.begin(), faces.end(), isOutside), faces.end());
+	std::vector<int> faces; // one for each corner among the vertices
+	for (int v : vertices)
+		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
+	std::sort(faces.begin(), faces.end());
+	std::size_t num = 0;
+	for (std::size_t i = 2; i < faces.size(); ++i) {
+		if (faces[i - 2] == faces[i]) faces[num++] = faces[i];
+	}
+	faces.resize(num);
 	return faces;
 }
 

@@ -499,9 +499,13 @@ std::string Plan::raiseTo(const RelaxationFacts& smallest)
 	const std::string note = "The result has " + counted(smallest.vertexNum, smallest.faceNum) +
 							 " instead of " + asked() + ", the smallest number reached.";
 	attempts_.isRaised   = true;
-	decisions_.way       = Way::WithoutFeatureLines;
 	decisions_.vertexNum = attempts_.asked = smallest.vertexNum;
 	if (decisions_.faceNum > 0) decisions_.faceNum = smallest.faceNum;
+	// Collapses from the right spacing did not come down to this count, and would not from more
+	// samples.
+	if (attempts_.reachedNum > smallest.vertexNum && smallest.vertexNum > fewVertices)
+		return accept(smallest, note);
+	decisions_.way         = Way::WithoutFeatureLines;
 	attempts_.searchedFrom = attempts_.searchedNum = 0;
 	return tryAgain(note);
 }
@@ -596,7 +600,10 @@ std::string Plan::judge(const RelaxationFacts& facts)
 	}
 	if (attempts_.keptNum > 0) return misses ? nearestWithKept(facts) : accept(facts, "");
 	if (!misses) return judgeAreas(facts);
-	if (decisions_.way != Way::ByTopology && mayReturn()) return byTopology();
+	if (decisions_.way != Way::ByTopology && mayReturn()) {
+		attempts_.reachedNum = facts.vertexNum;
+		return byTopology();
+	}
 	return judgeSmallest(facts);
 }
 

@@ -200,10 +200,11 @@ struct Request {
 /// all counts and the area are of the whole.
 ///
 /// Rules 5 and 6: samples with the right spacing make better triangles than topology alone, so that
-/// a raised count is meshed anew. Rule 7: with very few vertices some triangles may lie along a
-/// slit or a fold and have no area. If the target is a wish, the next count with areas everywhere
-/// is taken; else the run refuses the wanted count and names the next count. If no such count is
-/// found, the plan accepts the mesh, and the audit withholds the mesh.
+/// a raised count is meshed anew, unless such samples missed the raised count, too. Rule 7: with
+/// very few vertices some triangles may lie along a slit or a fold and have no area. If the target
+/// is a wish, the next count with areas everywhere is taken; else the run refuses the wanted count
+/// and names the next count. If no such count is found, the plan accepts the mesh, and the audit
+/// withholds the mesh.
 ///
 /// All returns count for the whole run: after mostReturns no rule returns, and the plan takes or
 /// refuses the mesh at hand.
@@ -266,6 +267,7 @@ private:
 		std::int64_t countStep     = 1;     ///< see SizeFacts
 		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
 		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
+		std::int64_t reachedNum    = 0;     ///< vertices reached from the right spacing
 		double       area          = 0;     ///< working units squared
 		std::int64_t searchedFrom  = 0;     ///< first count of the search of rule 7
 		int          searchedNum   = 0;     ///< counts of the search so far; 0: no search
