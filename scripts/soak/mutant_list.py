@@ -106,6 +106,8 @@ MUTANTS = [
     ("worst distances: gain", "optimization/worst_distances.cpp",
      "if (keepsNear && areSound(faces, corners, agreed) && isCloser())",
      "if (keepsNear && areSound(faces, corners, agreed))"),
+    ("far points: a budget for contact tests", "optimization/local_refinement.cpp",
+     "if (refinement.work() > settings.mostWork) break;", ""),
     ("far points: splits must settle", "optimization/local_refinement.cpp",
      "return squaredLength(at - point.position) <= wanted * wanted;", "return true;"),
     ("share by which vertices rise", "optimization/fit.cpp", "constexpr float raisedShare = 1.0f / 3;",

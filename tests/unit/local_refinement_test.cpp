@@ -129,6 +129,22 @@ TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
 
+TEST(LocalRefinement, EndsWhenTheBudgetOfContactTestsIsSpent)
+{
+	const auto addedWith = [](std::int64_t mostWork) {
+		Laid            on(tent(100), grid(12, 12));
+		const double    limit    = 0.08 * height * on.surface.frame.scale;
+		LocalRefinement settings = settingsFor(limit);
+		settings.mostWork        = mostWork;
+		return refineAt(on.surface, on.boundary, pointsBeyond(on, limit), settings, on.result,
+						on.workers);
+	};
+	const int all = addedWith(settingsFor(1).mostWork);
+	EXPECT_GT(all, 1);
+	EXPECT_EQ(addedWith(0), 1) << "one split needs more work than that";
+	EXPECT_LT(addedWith(100), all);
+}
+
 /// A point beside the border splits a border edge, or the border would stay coarse.
 TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
 {

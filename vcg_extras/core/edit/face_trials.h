@@ -27,6 +27,7 @@ public:
 
 private:
 	const HalfEdgeMesh& m_;
+	Workers&            workers_;
 	FaceBoxes           boxes_;
 	std::vector<int>    changed_;   ///< since boxes_ was made
 	std::vector<char>   isChanged_; ///< per face

@@ -5,11 +5,9 @@
 #include "face_goals.h"
 #include "worst_distances.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/edit/local_search.h>
-#include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/local_nearest.h>
@@ -103,9 +101,12 @@ public:
 	Refinement(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
 			   Workers& workers, int mostNew) :
 			editor_(surface, curves, result, workers, mostNew),
-			m_(result.mesh), boxes_(result.mesh, workers)
+			m_(result.mesh), space_(result.mesh, result.mesh.faceNum + 2 * mostNew, workers)
 	{
 	}
+
+	/// The work of the tests for contacts, in faces and pairs of faces.
+	std::int64_t work() const { return work_; }
 
 	void split(const Split& wanted)
 	{
@@ -121,8 +122,8 @@ private:
 	const HalfEdgeMesh& m_;
 	/// A split keeps these limits, or the smallest angle there was before.
 	const Acceptance limits_ = acceptanceOf(Driver::Refinement);
-	FaceBoxes        boxes_;   ///< of the faces at the start
-	std::vector<int> changed_; ///< faces changed since the start
+	FacesInSpace     space_;
+	std::int64_t     work_ = 0;
 
 	/// The place of a new vertex. A place on the edge is always sound; later rounds move the
 	/// vertex.
@@ -171,7 +172,7 @@ private:
 			return false;
 		}
 		editor_.countDone(op);
-		changed_.insert(changed_.end(), faces.begin(), faces.end());
+		space_.noteChanged(faces);
 		return true;
 	}
 
@@ -206,26 +207,17 @@ private:
 		return true;
 	}
 
-	Faults faultsOf(const std::vector<int>& faces) const
+	Faults faultsOf(const std::vector<int>& faces)
 	{
 		Faults faults;
 		for (int f : faces) {
 			faults.invertedNum += editor_.agreement(f) < 0;
 			faults.angle = std::min(faults.angle, smallestAngle(m_, f));
 		}
-		faults.pairNum = countTouchingPairs(m_, faces, facesNear(faces));
+		const std::vector<int> near = space_.meeting(boxOfFaces(m_, faces));
+		faults.pairNum              = countTouchingPairs(m_, faces, near, &work_);
+		work_ += std::int64_t(near.size());
 		return faults;
-	}
-
-	std::vector<int> facesNear(const std::vector<int>& faces) const
-	{
-		const Box<float> box  = boxOfFaces(m_, faces);
-		std::vector<int> near = boxes_.meeting(box);
-		for (int f : changed_) {
-			if (boxOfFace(m_, f).meets(box)) near.push_back(f);
-		}
-		sortUnique(near);
-		return near;
 	}
 
 	bool isFree(int v) const { return constraintOf(editor_.result(), v) == Constraint::Free; }
@@ -273,8 +265,11 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 	const std::vector<Split> splits = splitsFor(result.mesh, points, workers);
 	if (int(splits.size()) > settings.mostNew) return 0;
 	Refinement refinement(surface, curves, result, workers, int(splits.size()));
-	for (const Split& split : splits)
+	for (const Split& split : splits) {
+		workers.poll();
+		if (refinement.work() > settings.mostWork) break;
 		refinement.split(split);
+	}
 
 	const ClosestFaceMap map(surface, result, workers);
 	Assignment           assignment(surface, map, result.mesh.faceNum);

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace gpr {
@@ -18,6 +19,9 @@ struct LocalRefinement {
 	float minAngle = 0; ///< radians; smaller angles beside new vertices are raised
 	float maxGap   = 0; ///< largest distance of a face from the surface after that, working units
 	int   mostNew  = 0; ///< vertices; if more are needed, nothing is changed
+	/// Faces and pairs of faces that the tests for contacts look at; then the search ends. Half a
+	/// second; on sheets that lie in each other, the tests took half a minute.
+	std::int64_t mostWork = 20000000;
 };
 
 /// Makes triangles smaller at given points: for each point, splits an edge of the nearest face of
