@@ -43,11 +43,6 @@ constexpr int maxCountRounds = 3;
 /// Faces tried in a round, and room for the new vertices.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 constexpr int roomForTrials = 4 * (attemptsByCount + 2 * attemptsByPairs);
-/// Budget of measurements of all searches (see LocalSearch), about 20 ns each: half a second, and
-/// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
-/// last much longer than the rest of the run. With 20 million the worst angle of 20 noisy spheres
-/// is 1° smaller on the mean; with 40 million it is .4° larger and the search a sixth longer.
-constexpr std::int64_t minWork = 30000000, workPerFace = 20;
 /// Share of the budget for angles; the rest is for changes of the count.
 constexpr double shareOfAngles = 0.67;
 /// Budget of pairs of operations in a row, which take some hundred trials a face.
@@ -55,11 +50,6 @@ constexpr std::int64_t workOfPairs = 12000000;
 
 /// Shares of maxGap, in order: changes that leave faces near the surface come first.
 constexpr float sharesOfMaxGap[] = {0.7f, 1};
-
-std::int64_t workFor(int faceNum)
-{
-	return minWork + workPerFace * faceNum;
-}
 
 /// The poorness of a mesh.
 struct Poorness {
@@ -81,7 +71,7 @@ public:
 				   const ClosestFaceMap& map, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(map),
-			mapFaceNum_(result.mesh.faceNum), work_(workFor(result.mesh.faceNum)), r_(result),
+			mapFaceNum_(result.mesh.faceNum), work_(searchWork(result.mesh.faceNum)), r_(result),
 			workers_(workers)
 	{
 	}
@@ -313,7 +303,7 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 						 ResultMesh& result, Workers& workers)
 {
 	turnTetrahedra(surface, result, workers);
-	std::int64_t work = workFor(result.mesh.faceNum);
+	std::int64_t work = searchWork(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const Goal   goal = invertedFaces(search, mayCollapse);
 	// Degenerate faces are among these.
@@ -331,7 +321,7 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 {
 	const float angle = angleDeg * radians;
 	if (findPoorFaces(result.mesh, angle, workers).empty()) return true;
-	std::int64_t work = workFor(result.mesh.faceNum);
+	std::int64_t work = searchWork(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle);
 	// Faces with the normals of the surface are near the surface, and intersect no other faces.

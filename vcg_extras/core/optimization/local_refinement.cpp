@@ -38,8 +38,6 @@ constexpr float heightKept = 0.7f;
 /// Share of the allowed distance. Vertices of the input beyond the share get no farther while
 /// angles are raised.
 constexpr float guardedShare = 0.7f;
-/// Budget of the search for better angles: see LocalSearch.
-constexpr std::int64_t workOfAngles = 40000000;
 /// Rounds against the largest distances.
 constexpr int worstRounds = 2;
 
@@ -273,7 +271,7 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 
 	const ClosestFaceMap map(surface, result, workers);
 	Assignment           assignment(surface, map, result.mesh.faceNum);
-	std::int64_t         work = workOfAngles;
+	std::int64_t         work = searchWork(result.mesh.faceNum);
 	LocalSearch          search(surface, curves, &assignment, work, result, workers);
 	Goal                 goal = smallAngles(search, settings.minAngle);
 	goal.limits.guarded       = guardedShare * settings.maxGap;
