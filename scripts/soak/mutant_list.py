@@ -106,6 +106,8 @@ MUTANTS = [
     ("worst distances: gain", "optimization/worst_distances.cpp",
      "if (keepsNear && areSound(faces, corners, agreed) && isCloser())",
      "if (keepsNear && areSound(faces, corners, agreed))"),
+    ("faces in space: boxes are made anew", "edit/face_trials.cpp",
+     "boxes_ = FaceBoxes(m_, workers_);", ""),
     ("far points: a budget for contact tests", "optimization/local_refinement.cpp",
      "if (refinement.work() > settings.mostWork) break;", ""),
     ("far points: splits must settle", "optimization/local_refinement.cpp",

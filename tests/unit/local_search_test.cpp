@@ -66,6 +66,29 @@ std::vector<int> tableOf(const HalfEdgeMesh& m)
 
 } // namespace
 
+/// With few changes each changed face is looked at; with many, new boxes are made.
+TEST(FacesInSpace, FindsFacesWhereTheyAreAfterAnyNumberOfChanges)
+{
+	Workers       workers(2, nullptr);
+	OnSurface     on(grid(40, 40));
+	HalfEdgeMesh& m = on.result.mesh;
+	FacesInSpace  space(m, m.faceNum, workers);
+	const int     half = m.vertexNum / 2; // more faces than a sixteenth, and than 256
+	for (int v = 0; v < half; ++v) {
+		m.position[v].z += 1;
+		space.noteChanged(facesRound(m, {v}));
+	}
+	EXPECT_LT(space.changedNum(), std::size_t(m.faceNum / 4)) << "the boxes were made anew";
+	for (int f = 0; f < m.faceNum; f += 7) {
+		const Box<float>       box  = boxOfFace(m, f);
+		const std::vector<int> near = space.meeting(box);
+		for (int g = 0; g < m.faceNum; ++g) {
+			if (!boxOfFace(m, g).meets(box)) continue;
+			ASSERT_TRUE(std::binary_search(near.begin(), near.end(), g)) << f << " and " << g;
+		}
+	}
+}
+
 /// Each claim at a hub looks at all its neighbours, so these walks are work, too.
 TEST(LocalSearches, CountWalksRoundAHub)
 {
