@@ -27,7 +27,8 @@ std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int ring
 
 std::vector<int> facesBetween(const HalfEdgeMesh& m, const std::vector<int>& vertices)
 {
-	std::vector<int> faces; // one for each corner among the vertices
+	// A face comes once for each corner among the vertices: three times if it lies between.
+	std::vector<int> faces;
 	for (int v : vertices)
 		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
 	std::sort(faces.begin(), faces.end());

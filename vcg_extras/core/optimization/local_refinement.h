@@ -19,8 +19,8 @@ struct LocalRefinement {
 	float minAngle = 0; ///< radians; smaller angles beside new vertices are raised
 	float maxGap   = 0; ///< largest distance of a face from the surface after that, working units
 	int   mostNew  = 0; ///< vertices; if more are needed, nothing is changed
-	/// Faces and pairs of faces that the tests for contacts look at; then the search ends. Half a
-	/// second; on sheets that lie in each other, the tests took half a minute.
+	/// Most faces and pairs of faces that the tests for contacts look at; after that no edge is
+	/// split. Without a limit, the tests took half a minute on sheets that lie in each other.
 	std::int64_t mostWork = 20000000;
 };
 

@@ -200,11 +200,11 @@ struct Request {
 /// all counts and the area are of the whole.
 ///
 /// Rules 5 and 6: samples with the right spacing make better triangles than topology alone, so that
-/// a raised count is meshed anew, unless such samples missed the raised count, too. Rule 7: with
-/// very few vertices some triangles may lie along a slit or a fold and have no area. If the target
-/// is a wish, the next count with areas everywhere is taken; else the run refuses the wanted count
-/// and names the next count. If no such count is found, the plan accepts the mesh, and the audit
-/// withholds the mesh.
+/// a raised count is meshed anew. Above 64 vertices the mesh by topology is taken instead if
+/// collapses from such samples stopped above the raised count. Rule 7: with very few vertices some
+/// triangles may lie along a slit or a fold and have no area. If the target is a wish, the next
+/// count with areas everywhere is taken; else the run refuses the wanted count and names the next
+/// count. If no such count is found, the plan accepts the mesh, and the audit withholds the mesh.
 ///
 /// All returns count for the whole run: after mostReturns no rule returns, and the plan takes or
 /// refuses the mesh at hand.
