@@ -281,6 +281,19 @@ TEST(CrowdedLines, LeaveTheOthersSharp)
 	EXPECT_LE(segmentDistance(kept, sharpSegments(r.mesh, 38)), 0.2 * edge);
 }
 
+/// Without their lines, many high folds would be cut off.
+TEST(CrowdedLines, StayWhereTheSurfaceWouldBeLost)
+{
+	TriangleMesh mesh = pleatedSheet(16, 1.0 / 80);
+	for (Vec3d& p : mesh.positions)
+		p.z *= 2;
+	mesh                 = joined(mesh, shifted(pleatedSheet(8, 0.125), {2, 0, 0}));
+	const RemeshResult r = remeshed(mesh.view());
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(r.report.releasedVertexNum, 0);
+	EXPECT_GT(r.report.quality.below30Percent, 1);
+}
+
 TEST(CrowdedLines, ThatOtherMeansMendStay)
 {
 	const TriangleMesh mesh = pleatedSheet(4, 1.0 / 60);

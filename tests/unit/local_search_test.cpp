@@ -41,8 +41,8 @@ bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 	const std::int64_t before = on.result.splitNum + on.result.collapseNum;
 	PoorFaces          wanted;
 	wanted.target.vertexNum = targetNum;
-	std::unique_ptr<ClosestFaceMap> map;
-	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, workers);
+	raiseSmallAngles(on.surface, on.boundary, wanted, on.result, workers);
+	repairPoorFaces(on.surface, on.boundary, wanted, on.result, workers);
 	return on.result.splitNum + on.result.collapseNum > before;
 }
 

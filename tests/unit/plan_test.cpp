@@ -635,6 +635,7 @@ TEST(Plan, ReleasesCrowdedLinesOnce)
 	run.go();
 	EXPECT_EQ(run.numOf(Step::Release), 1);
 	EXPECT_EQ(run.numOf(Step::Fit), 1);
+	EXPECT_EQ(run.numOf(Step::Angles), 1);
 	EXPECT_EQ(run.numOf(Step::Contacts), 1);
 }
 

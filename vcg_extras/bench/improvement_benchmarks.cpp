@@ -92,8 +92,9 @@ void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Surface&        surface = run.sampled().surface;
 	const BoundaryCurves& curves  = run.sampled().samples.curves;
 	timeChange(state, run.improved().fitted, [&](ResultMesh& result) {
-		std::unique_ptr<ClosestFaceMap> map;
-		repairPoorFaces(surface, curves, PoorFaces(), map, result, workers);
+		PoorFaces wanted;
+		raiseSmallAngles(surface, curves, wanted, result, workers);
+		repairPoorFaces(surface, curves, wanted, result, workers);
 	});
 }
 

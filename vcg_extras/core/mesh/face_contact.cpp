@@ -118,22 +118,26 @@ std::array<int, 3> sidesOf(const Corners3& t, const Corners3& s)
 	return {sideOf(t, s[0]), sideOf(t, s[1]), sideOf(t, s[2])};
 }
 
+/// Whether a way from a point of an edge leads to its outer side, beyond all rounding. Sums of
+/// coordinates bound the lengths without roots.
+bool isBeyond(const Vec3d& way, const Vec3d& outward)
+{
+	constexpr double margin = 1e-12; // many roundings of a double
+	const auto size = [](const Vec3d& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
+	return dot(way, outward) > margin * size(way) * size(outward);
+}
+
 /// Whether all of t lies beyond an edge of s, seen along the normal of s. This test separates most
 /// pairs of a nearly flat surface.
 bool liesBeyondAnEdge(const Corners3& t, const Corners3& s)
 {
-	constexpr double margin = 1e-12; // many roundings of a double
-	const Vec3d      o(s[0]), normal = cross(Vec3d(s[1]) - o, Vec3d(s[2]) - o);
+	const Vec3d o(s[0]), normal = cross(Vec3d(s[1]) - o, Vec3d(s[2]) - o);
 	for (int k = 0; k < 3; ++k) {
-		const Vec3d  from(s[k]), edge = Vec3d(s[(k + 1) % 3]) - from, outward = cross(edge, normal);
-		const double size     = std::abs(outward.x) + std::abs(outward.y) + std::abs(outward.z);
-		bool         isBeyond = true;
-		for (int i = 0; i < 3 && isBeyond; ++i) {
-			const Vec3d way = Vec3d(t[i]) - from;
-			isBeyond        = dot(way, outward) >
-					   margin * size * (std::abs(way.x) + std::abs(way.y) + std::abs(way.z));
-		}
-		if (isBeyond) return true;
+		const Vec3d from(s[k]), outward = cross(Vec3d(s[(k + 1) % 3]) - from, normal);
+		const auto  isCornerBeyond = [&](const Vec3f& p) {
+            return isBeyond(Vec3d(p) - from, outward);
+		};
+		if (std::all_of(t.begin(), t.end(), isCornerBeyond)) return true;
 	}
 	return false;
 }
@@ -152,14 +156,12 @@ bool doApartOnesTouch(const Corners3& s, const Corners3& t)
 /// side and the rest of t strictly on the other.
 bool isSplitAtCorner(const Corners3& s, const Corners3& t)
 {
-	constexpr double margin = 1e-12;
-	const Vec3d      o(s[0]), a = Vec3d(s[1]) - o, b = Vec3d(s[2]) - o, normal = cross(a, b);
-	const Vec3d      p = Vec3d(t[1]) - o, q = Vec3d(t[2]) - o;
-	const auto       isBeyond = [&](const Vec3d& outward) {
-        const double least = margin * length(outward);
-        return dot(p, outward) > least * length(p) && dot(q, outward) > least * length(q);
+	const Vec3d o(s[0]), a = Vec3d(s[1]) - o, b = Vec3d(s[2]) - o, normal = cross(a, b);
+	const Vec3d p = Vec3d(t[1]) - o, q = Vec3d(t[2]) - o;
+	const auto  areBeyond = [&](const Vec3d& outward) {
+        return isBeyond(p, outward) && isBeyond(q, outward);
 	};
-	return isBeyond(cross(a, normal)) || isBeyond(cross(normal, b));
+	return areBeyond(cross(a, normal)) || areBeyond(cross(normal, b));
 }
 
 /// Whether triangles with the same corner 0 touch elsewhere: only if an edge opposite corner 0

@@ -43,8 +43,8 @@ constexpr int maxCountRounds = 3;
 /// Faces tried in a round, and room for the new vertices.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 constexpr int roomForTrials = 4 * (attemptsByCount + 2 * attemptsByPairs);
-/// Share of the budget for angles; the rest is for changes of the count.
-constexpr double shareOfAngles = 0.67;
+/// Share of the budget for raiseSmallAngles; the rest is for repairPoorFaces.
+constexpr double shareOfRaising = 0.67;
 /// Budget of pairs of operations in a row, which take some hundred trials a face.
 constexpr std::int64_t workOfPairs = 12000000;
 
@@ -68,27 +68,25 @@ struct Poorness {
 class PoorFaceRepair {
 public:
 	PoorFaceRepair(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-				   const ClosestFaceMap& map, ResultMesh& result, Workers& workers) :
+				   double shareOfWork, ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(map),
-			mapFaceNum_(result.mesh.faceNum), work_(searchWork(result.mesh.faceNum)), r_(result),
+			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(*wanted.map),
+			mapFaceNum_(result.mesh.faceNum),
+			work_(std::int64_t(shareOfWork * double(searchWork(result.mesh.faceNum)))), r_(result),
 			workers_(workers)
 	{
 	}
 
+	bool raise() { return isWorthwhile() && raiseAngles(); }
+
 	bool run()
 	{
-		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
-		if (!fewPoor.holds(poorNum, r_.mesh)) return false;
-		// A share of the work is left for later searches.
-		std::int64_t work = std::int64_t(shareOfAngles * double(work_));
-		work_ -= work;
-		const bool isDone = raiseAngles(work);
-		now_              = poorness();
+		if (!isWorthwhile()) return false;
+		now_ = poorness();
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
 		}
-		return lowerLargeAngles() && isDone;
+		return lowerLargeAngles();
 	}
 
 private:
@@ -105,6 +103,11 @@ private:
 	ResultMesh&           r_;
 	Workers&              workers_;
 
+	bool isWorthwhile() const
+	{
+		return fewPoor.holds(findPoorFaces(r_.mesh, angle_, workers_).size(), r_.mesh);
+	}
+
 	/// A goal with limits on distances. An input vertex is guarded close to the largest distance of
 	/// the mesh.
 	Goal limited(Goal goal) const
@@ -115,11 +118,11 @@ private:
 		return goal;
 	}
 
-	/// Raises angles by moves and flips. work: left, counts down.
-	bool raiseAngles(std::int64_t& work)
+	/// Raises angles by moves and flips.
+	bool raiseAngles()
 	{
 		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
-		LocalSearch search(surface_, curves_, &assignment, work, r_, workers_);
+		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
 		Goal        goal = limited(smallAngles(search, angle_));
 		if (!(wanted_.maxGap > 0)) return search.run(goal);
 		bool isDone = true;
@@ -168,7 +171,7 @@ private:
 		followCompaction();
 		compactResult(r_, workers_);
 		if (!isReached) return false;
-		raiseAngles(work_);
+		raiseAngles();
 		return true;
 	}
 
@@ -221,6 +224,12 @@ private:
 	}
 };
 
+void makeMap(const Surface& surface, const ResultMesh& result, Workers& workers,
+			 std::unique_ptr<ClosestFaceMap>& map)
+{
+	if (map == nullptr) map.reset(new ClosestFaceMap(surface, result, workers));
+}
+
 bool repairOrientation(LocalSearch& search, Goal goal, std::size_t invertedNum)
 {
 	if (!fewInverted.holds(invertedNum, search.mesh())) {
@@ -243,12 +252,6 @@ void repairFacesWithoutArea(LocalSearch& search)
 		search.editor().forgetLinesAt(f);
 	goal.mayCrowd = true;
 	search.run(goal);
-}
-
-bool hasPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
-{
-	return !findPoorFaces(m, angle, workers).empty() ||
-		   !findObtuseFaces(m, asPoorAs(angle), workers).empty();
 }
 
 /// Whether f is the first face of a closed component of four.
@@ -329,12 +332,23 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	return search.run(goal);
 }
 
-bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers)
+bool raiseSmallAngles(const Surface& surface, const BoundaryCurves& curves, PoorFaces& wanted,
+					  ResultMesh& result, Workers& workers)
 {
-	if (!hasPoorFaces(result.mesh, wanted.angleDeg * radians, workers)) return true;
-	if (map == nullptr) map.reset(new ClosestFaceMap(surface, result, workers));
-	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run();
+	if (findPoorFaces(result.mesh, wanted.angleDeg * radians, workers).empty()) return true;
+	makeMap(surface, result, workers, wanted.map);
+	return PoorFaceRepair(surface, curves, wanted, shareOfRaising, result, workers).raise();
+}
+
+bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, PoorFaces& wanted,
+					 ResultMesh& result, Workers& workers)
+{
+	const float angle = wanted.angleDeg * radians;
+	if (findPoorFaces(result.mesh, angle, workers).empty() &&
+		findObtuseFaces(result.mesh, asPoorAs(angle), workers).empty())
+		return true;
+	makeMap(surface, result, workers, wanted.map);
+	return PoorFaceRepair(surface, curves, wanted, 1 - shareOfRaising, result, workers).run();
 }
 
 } // namespace gpr

@@ -36,19 +36,26 @@ struct PoorFaces {
 	CountTarget target;         ///< count of the result; 0 vertices and faces: any number
 	float       largestGap = 0; ///< between input and result, working units; 0: not known
 	float       maxGap     = 0; ///< see Acceptance::gap, while angles are raised; 0: not limited
+	/// Of the faces of the result; made by the repair if needed and null.
+	std::unique_ptr<ClosestFaceMap> map;
 };
 
-/// After the fit: raises small angles, first by moves and flips, then by splits and collapses,
+// The repair after the fit, in two parts. Both need a mesh without dead faces, and return false if
+// the budget ended a search, or if too many faces are poor for a search. Cost of both together:
+// bounded by the budget, about a third of a second, and a tenth of the run on large meshes; the
+// worst faces come first.
+
+/// Raises small angles by moves and flips.
+bool raiseSmallAngles(const Surface& surface, const BoundaryCurves& curves, PoorFaces& wanted,
+					  ResultMesh& result, Workers& workers);
+
+/// After raiseSmallAngles: raises the small angles that are left by splits and collapses,
 /// compensated at other places, then by pairs of splits and collapses in a row. Last come large
 /// angles (asPoorAs), by moves and flips that keep the limits of small angles. A change of the
 /// count is kept only if the lack of angles shrinks, the smallest angle does not fall, the number
-/// of inverted faces does not grow, and the count is reached. Needs a mesh without dead faces;
-/// `map` belongs to the faces of the mesh, and is made here if needed and null. Returns false if
-/// the budget ended a search, or if too many faces are poor for a search. Cost: bounded by the
-/// budget, about a third of a second, and a tenth of the run on large meshes; the worst faces come
-/// first.
-bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers);
+/// of inverted faces does not grow, and the count is reached.
+bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, PoorFaces& wanted,
+					 ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

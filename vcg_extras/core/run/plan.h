@@ -34,6 +34,7 @@ enum class Step {
 	Relaxation,   ///< `Relaxation`
 	Fit,          ///< `Fit`, `Angles`
 	Release,      ///< `Fit`, `Angles`, after crowded feature lines were released
+	Angles,       ///< `Angles`, by changes of the count
 	Contacts,     ///< `Contacts`
 	Refinement,   ///< `Fit`, only for a largest error
 	Error,        ///< `Error`

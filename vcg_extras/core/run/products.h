@@ -10,6 +10,7 @@
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/octree_blocks.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/output/verification.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
@@ -92,7 +93,8 @@ struct Products {
 	Samples                       samples; ///< Samples; Triangles consumes the samples
 	BoundaryCurves                curves;  ///< Triangles: the curves with vertices
 	ResultMesh                    result;  ///< Triangles to Contacts
-	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit, if feature lines may be released
+	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit to Angles, if feature lines may be released
+	PoorFaces                     poor;      ///< Fit to Angles
 
 	// Figures of the later steps.
 	std::int64_t   releasedNum = 0;         ///< vertices released from crowded lines

@@ -20,7 +20,6 @@
 #include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/certified_distance.h>
-#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,13 +49,10 @@ constexpr int manyWorstRounds = 4;
 /// After a release of lines: the largest distance of a point of a face from the surface while
 /// angles are raised, in ideal edges. A smaller distance left by the fit is the limit instead.
 constexpr float maxReleasedGap = 0.3f;
-/// Limits for a mesh with released lines: the distance from the input may grow by this factor over
+/// Limits for a mesh with released lines: the distance of the input may grow by this factor over
 /// the mesh before the fit, and distances below the other two, in ideal edges, are invisible.
 constexpr double mostFarther = 1.02;
 constexpr double nearMean = 0.015, nearMost = 0.3;
-/// Points of these measurements. Ten, as for the report, took a ninth of the run on small CAD parts
-/// and changed one decision in a hundred.
-constexpr int pointsPerFace = 2;
 
 int roundsOfFit(const RemeshOptions& options)
 {
@@ -123,29 +119,29 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
-/// Whether a mesh with released lines is too far from the input, by root mean square or at most:
-/// farther than nearMean or nearMost, and farther than the mesh before the fit by the factor
-/// mostFarther.
-bool hasLostSurface(const Surface& surface, const ResultMesh& released, const ResultMesh& start,
-					Workers& workers)
+/// Whether the input is too far from a mesh with released lines, by root mean square or at most:
+/// farther than nearMean or nearMost, and farther than from the mesh before the
+/// fit by the factor mostFarther. A fit keeps the mesh near the input, so the other direction tells
+/// nothing more.
+bool hasLostSurface(const Surface& surface, const ClosestFaceMap& map, const ResultMesh& released,
+					const ResultMesh& start, Workers& workers)
 {
-	const MeasuredSurface input(viewOf(surface.mesh), workers);
-	const auto            distance = [&](const ResultMesh& result) { // in ideal edges
-        const MeasuredSurface from(viewOf(result.mesh), input, workers);
-        return sampledDistance({surface.mesh, input}, {result.mesh, from}, pointsPerFace, workers)
-            .mutual.larger()
-            .times(1 / double(result.idealEdge));
-	};
-	const SurfaceDistance of = distance(released);
-	if (of.rms <= nearMean && of.max <= nearMost) return false;
-	const SurfaceDistance before = distance(start);
-	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
-		   of.max > std::max(nearMost, mostFarther * before.max);
+	const double          edge = double(released.idealEdge);
+	const SurfaceDistance of   = distanceByMap(surface, map, released.mesh, workers);
+	if (of.rms <= nearMean * edge && of.max <= nearMost * edge) return false;
+	const ClosestFaceMap  mapBefore(surface, start, workers);
+	const SurfaceDistance before = distanceByMap(surface, mapBefore, start.mesh, workers);
+	return of.rms > std::max(nearMean * edge, mostFarther * before.rms) ||
+		   of.max > std::max(nearMost * edge, mostFarther * before.max);
 }
 
-FitOutcome fit(RunContext& run, const Decisions& decisions, Products& made)
+/// Fits the mesh, if the options ask for a fit, and sets the goal of the repair of poor faces.
+void fit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	if (!isFitted(run.options)) return {};
+	made.poor          = {};
+	made.poor.angleDeg = minAngleDeg(run.options);
+	made.poor.target   = decisions.countTarget();
+	if (!isFitted(run.options)) return;
 	run.clock.enter(Stage::Fit);
 	returnReleasedMemory(); // this stage sets the peak
 	FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
@@ -153,29 +149,23 @@ FitOutcome fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
-	return outcome;
+	made.poor.largestGap = outcome.largestGap;
+	made.poor.map        = std::move(outcome.map);
 }
 
-/// The largest distance of faces from the surface while angles are raised; 0: no limit.
-float maxGapAfter(const Products& made, float largestGap)
+/// The largest distance of faces from the surface while angles are raised after a release.
+float maxGapAfterRelease(const Products& made)
 {
-	if (made.releasedNum == 0) return 0;
 	const float most = maxReleasedGap * made.result.idealEdge;
-	return largestGap > 0 ? std::min(most, largestGap) : most;
+	return made.poor.largestGap > 0 ? std::min(most, made.poor.largestGap) : most;
 }
 
-void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
+void raiseAngles(RunContext& run, Products& made)
 {
-	FitOutcome fitted = fit(run, decisions, made);
 	if (run.options.preset != Preset::Default) return;
 	run.clock.enter(Stage::Angles);
 	returnReleasedMemory();
-	PoorFaces poor;
-	poor.angleDeg   = minAngleDeg(run.options);
-	poor.target     = decisions.countTarget();
-	poor.largestGap = fitted.largestGap;
-	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
-	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
+	if (!raiseSmallAngles(made.surface, made.curves, made.poor, made.result, run.workers))
 		run.tellCap("changes for small angles");
 }
 
@@ -219,27 +209,43 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 {
+	made.releasedNum      = 0;
 	const bool mayRelease = mayReleaseLines(run) && areLinesCrowded(run, made.result);
 	if (mayRelease)
 		made.beforeFit = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
-	fitAndRepair(run, decisions, made);
+	fit(run, decisions, made);
+	raiseAngles(run, made);
 	return {mayRelease && areLinesCrowded(run, made.result)};
 }
 
 void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	ResultMesh withLines = std::move(made.result);
-	made.result          = copyResult(*made.beforeFit, run.workers);
-	made.releasedNum     = releaseLines(minAngleDeg(run.options), made.result, run.workers);
-	fitAndRepair(run, decisions, made);
-	if (hasLostSurface(made.surface, made.result, *made.beforeFit, run.workers)) {
+	ResultMesh withLines     = std::move(made.result);
+	PoorFaces  poorWithLines = std::move(made.poor);
+	made.result              = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum         = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	fit(run, decisions, made);
+	if (hasLostSurface(made.surface, *made.poor.map, made.result, *made.beforeFit, run.workers)) {
 		made.releasedNum = 0;
 		made.result      = std::move(withLines);
+		made.poor        = std::move(poorWithLines);
+		return;
 	}
-	else {
-		run.tell("Some feature lines are too close to each other for good angles; " +
-				 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
+	run.tell("Some feature lines are too close to each other for good angles; " +
+			 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
+	made.poor.maxGap = maxGapAfterRelease(made);
+	raiseAngles(run, made);
+}
+
+void repairAngles(RunContext& run, Products& made)
+{
+	made.beforeFit.reset();
+	if (run.options.preset == Preset::Default) {
+		run.clock.enter(Stage::Angles);
+		if (!repairPoorFaces(made.surface, made.curves, made.poor, made.result, run.workers))
+			run.tellCap("changes for small angles");
 	}
+	made.poor = {};
 }
 
 namespace {
@@ -260,7 +266,6 @@ bool missesCount(const Decisions& decisions, const ResultMesh& result,
 
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.beforeFit.reset();
 	made.hasMadeVertices      = false;
 	const std::int64_t before = made.result.vertexNum();
 	separateSheets(run, decisions, made);

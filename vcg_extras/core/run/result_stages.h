@@ -27,14 +27,18 @@ void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves
 /// repairs inverted faces.
 RelaxationFacts relaxTriangles(RunContext& run, Products& made);
 
-/// Step Fit: fits the mesh to the input, if the options ask for a fit, then raises the smallest
-/// angles. The fit is the last step to move all vertices; vertices leave the surface in this step.
+/// Step Fit: fits the mesh to the input, if the options ask for a fit, then raises small angles by
+/// moves and flips. The fit is the last step to move all vertices; vertices leave the surface in
+/// this step.
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Release: releases feature lines that are too close to each other for good angles, and fits
 /// the mesh from before the fit again. If the mesh is then too far from the surface, the result
 /// stays as before the step.
 void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
+
+/// Step Angles: raises the small angles that are left, and lowers large angles.
+void repairAngles(RunContext& run, Products& made);
 
 /// Step Contacts: removes self-intersections from the result, if the options ask for that.
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "closest_face_map.h"
 
+#include "local_nearest.h"
+
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_plane.h>
@@ -406,6 +408,51 @@ void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers
 	});
 	start_.swap(start);
 	item_.swap(item);
+}
+
+SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
+							  const HalfEdgeMesh& result, Workers& workers)
+{
+	struct Sums {
+		double area = 0, squares = 0, largest = 0;
+
+		Sums& operator+=(const Sums& o)
+		{
+			area += o.area;
+			squares += o.squares;
+			largest = std::max(largest, o.largest);
+			return *this;
+		}
+	};
+	const HalfEdgeMesh& s = surface.mesh;
+	Buffer<int>         faceOf(std::size_t(s.vertexNum), -1);
+	workers.forEach(result.faceNum, [&](int f) {
+		for (const int* v = map.begin(f); v < map.end(f); ++v)
+			faceOf[*v] = f;
+	});
+	const auto squaredFrom = [&](int near, const Vec3f& p) {
+		return squaredLength(nearestOnTheWay(result, p, 0, near) - p);
+	};
+	const Sums      sums = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
+        const Vec3f centre   = s.faceCentre(f);
+        float       ofCentre = HUGE_VALF, ofCorners = 0, largest = 0;
+        for (int h = 3 * f; h < 3 * f + 3; ++h) {
+            const int at = faceOf[s.origin[h]];
+            if (at < 0) return;
+            const float squared = squaredFrom(at, s.position[s.origin[h]]);
+            ofCorners += squared;
+            largest  = std::max(largest, squared);
+            ofCentre = std::min(ofCentre, squaredFrom(at, centre));
+        }
+        // Exact where the distance, with its sign, is linear.
+        const double mean = double(ofCorners / 12 + ofCentre * 3 / 4);
+        const double area = double(length(s.faceCross(f)));
+        sum += {area, area * mean, double(largest)};
+    });
+	SurfaceDistance distance;
+	if (sums.area > 0) distance.rms = std::sqrt(sums.squares / sums.area);
+	distance.max = std::sqrt(sums.largest);
+	return distance;
 }
 
 } // namespace gpr
