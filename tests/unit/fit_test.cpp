@@ -191,7 +191,7 @@ TEST(DistanceByMap, IsTheDistanceOfMetro)
 	const ClosestFaceMap  map(laid.surface, laid.result, workers);
 	const MeasuredSurface to(viewOf(laid.result.mesh), workers);
 	const SurfaceDistance metro = to.from(viewOf(laid.surface.mesh), 100000, workers);
-	const SurfaceDistance ours  = distanceByMap(laid.surface, map, laid.result.mesh, workers);
+	const SurfaceDistance ours  = distanceByMap(laid.surface, map, laid.result.mesh, 0, workers);
 	EXPECT_NEAR(ours.rms, metro.rms, 0.01 * metro.rms);
 	EXPECT_NEAR(ours.max, metro.max, 0.01 * metro.max);
 }

@@ -126,11 +126,12 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 bool hasLostSurface(const Surface& surface, const ClosestFaceMap& map, const ResultMesh& released,
 					const ResultMesh& start, Workers& workers)
 {
-	const double          edge = double(released.idealEdge);
-	const SurfaceDistance of   = distanceByMap(surface, map, released.mesh, workers);
+	const double          edge   = double(released.idealEdge);
+	const float           enough = float(0.1 * nearMean * edge);
+	const SurfaceDistance of     = distanceByMap(surface, map, released.mesh, enough, workers);
 	if (of.rms <= nearMean * edge && of.max <= nearMost * edge) return false;
 	const ClosestFaceMap  mapBefore(surface, start, workers);
-	const SurfaceDistance before = distanceByMap(surface, mapBefore, start.mesh, workers);
+	const SurfaceDistance before = distanceByMap(surface, mapBefore, start.mesh, enough, workers);
 	return of.rms > std::max(nearMean * edge, mostFarther * before.rms) ||
 		   of.max > std::max(nearMost * edge, mostFarther * before.max);
 }

@@ -411,7 +411,7 @@ void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers
 }
 
 SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
-							  const HalfEdgeMesh& result, Workers& workers)
+							  const HalfEdgeMesh& result, float enough, Workers& workers)
 {
 	struct Sums {
 		double area = 0, squares = 0, largest = 0;
@@ -426,23 +426,27 @@ SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
 	};
 	const HalfEdgeMesh& s = surface.mesh;
 	Buffer<int>         faceOf(std::size_t(s.vertexNum), -1);
+	Buffer<float>       squared(std::size_t(s.vertexNum));
 	workers.forEach(result.faceNum, [&](int f) {
-		for (const int* v = map.begin(f); v < map.end(f); ++v)
-			faceOf[*v] = f;
+		const FacePlane plane(result, f);
+		for (const int* v = map.begin(f); v < map.end(f); ++v) {
+			const Vec3f& p = s.position[*v];
+			faceOf[*v]     = f;
+			squared[*v]    = plane.squaredDistance(p, plane.nearestFoot(p));
+		}
 	});
-	const auto squaredFrom = [&](int near, const Vec3f& p) {
-		return squaredLength(nearestOnTheWay(result, p, 0, near) - p);
-	};
-	const Sums      sums = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
+	const float squaredEnough = enough * enough;
+	const auto  sums          = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
         const Vec3f centre   = s.faceCentre(f);
         float       ofCentre = HUGE_VALF, ofCorners = 0, largest = 0;
         for (int h = 3 * f; h < 3 * f + 3; ++h) {
-            const int at = faceOf[s.origin[h]];
-            if (at < 0) return;
-            const float squared = squaredFrom(at, s.position[s.origin[h]]);
-            ofCorners += squared;
-            largest  = std::max(largest, squared);
-            ofCentre = std::min(ofCentre, squaredFrom(at, centre));
+            int near = faceOf[s.origin[h]];
+            if (near < 0) return;
+            ofCorners += squared[s.origin[h]];
+            largest = std::max(largest, squared[s.origin[h]]);
+            if (ofCentre <= squaredEnough) continue; // nearly always after the first corner
+            const Vec3f on = nearestOnTheWay(result, centre, squaredEnough, near);
+            ofCentre       = std::min(ofCentre, squaredLength(on - centre));
         }
         // Exact where the distance, with its sign, is linear.
         const double mean = double(ofCorners / 12 + ofCentre * 3 / 4);
