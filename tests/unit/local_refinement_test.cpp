@@ -10,6 +10,7 @@
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/optimization/goal_refinement.h>
 #include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
@@ -30,6 +31,19 @@ TriangleMesh tent(int cells)
 	TriangleMesh mesh = grid(cells, cells);
 	for (Vec3d& p : mesh.positions)
 		p.z = std::max(0.0, height - 1.5 * length(p - tip));
+	return mesh;
+}
+
+/// A plane with nine such tents.
+TriangleMesh tents(int cells)
+{
+	TriangleMesh mesh = grid(cells, cells);
+	for (Vec3d& p : mesh.positions) {
+		for (double x : {0.21, 0.52, 0.83}) {
+			for (double y : {0.18, 0.49, 0.79})
+				p.z = std::max(p.z, height / 2 - 1.5 * length(Vec3d(p.x - x, p.y - y, 0)));
+		}
+	}
 	return mesh;
 }
 
@@ -81,6 +95,29 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	EXPECT_LT(added, before) << "only near the tent";
 	EXPECT_TRUE(findTouchingPairs(on.result.mesh, on.workers).empty());
 	EXPECT_TRUE(isSoundTable(on.result.mesh));
+}
+
+/// Later rounds look only at points found before and at faces that changed.
+TEST(RefineToGoal, LeavesNoPointBeyondTheGoal)
+{
+	Laid         on(tents(120), grid(30, 30));
+	const double goal = 0.08 * height * on.surface.frame.scale;
+	ASSERT_GT(pointsBeyond(on, goal).size(), 9u);
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+			  GoalOutcome::Kept);
+	EXPECT_TRUE(pointsBeyond(on, goal).empty());
+	EXPECT_GT(on.result.splitNum, 9);
+	EXPECT_TRUE(isSoundTable(on.result.mesh));
+}
+
+TEST(RefineToGoal, AddsNothingIfAllTrianglesAreTooLarge)
+{
+	Laid         on(tents(120), grid(4, 4));
+	const int    before = on.result.mesh.vertexNum;
+	const double goal   = 0.01 * height * on.surface.frame.scale;
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+			  GoalOutcome::OutOfReach);
+	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
 
 TEST(LocalRefinement, PutsAVertexAtAFarPoint)

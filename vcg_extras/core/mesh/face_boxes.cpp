@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_boxes.h"
 
+#include "marked_cells.h"
 #include "mesh_edit.h"
 #include "spatial_order.h"
 
@@ -13,56 +14,6 @@
 namespace gpr {
 
 namespace {
-
-/// A coarse grid that marks the cells where a small box may begin that meets a marked box. Small
-/// enough to stay in the cache.
-class MarkedCells {
-public:
-	explicit MarkedCells(const MortonGrid& grid) :
-			low_(grid.low), width_(grid.cubeSize / cellNum), isMarked_(cellNum * cellNum * cellNum)
-	{
-	}
-
-	void mark(const Box<float>& box)
-	{
-		const Vec3f margin(width_, width_, width_);
-		const Cell  low = cellAt(box.low - margin), high = cellAt(box.high);
-		for (int x = low.x; x <= high.x; ++x) {
-			for (int y = low.y; y <= high.y; ++y) {
-				for (int z = low.z; z <= high.z; ++z)
-					isMarked_[indexOf({x, y, z})] = 1;
-			}
-		}
-	}
-
-	/// True for each box that meets a marked box, and for all boxes nearly as wide as a cell.
-	bool mayMeet(const Box<float>& box) const
-	{
-		return box.largestSide() > 0.99f * width_ || isMarked_[indexOf(cellAt(box.low))] != 0;
-	}
-
-private:
-	static constexpr int cellNum = 64; // along each axis
-	struct Cell {
-		int x, y, z;
-	};
-	Vec3f             low_;
-	float             width_; ///< of a cell
-	std::vector<char> isMarked_;
-
-	Cell cellAt(const Vec3f& p) const
-	{
-		const float scale = 1 / width_;
-		const auto  along = [=](float c) {
-            return std::min(cellNum - 1, std::max(0, int(c * scale)));
-		};
-		return {along(p.x - low_.x), along(p.y - low_.y), along(p.z - low_.z)};
-	}
-	static std::size_t indexOf(const Cell& c)
-	{
-		return std::size_t((c.x * cellNum + c.y) * cellNum + c.z);
-	}
-};
 
 Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 {
@@ -93,7 +44,7 @@ MortonGrid gridOver(const Box<float>& all)
 Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 						  const std::vector<char>& wanted, Workers& workers)
 {
-	MarkedCells cells(grid);
+	MarkedCells cells(grid.low, grid.cubeSize);
 	for (int f = 0; f < int(wanted.size()); ++f) {
 		if (wanted[f]) cells.mark(boxOfFace(m, f));
 	}

@@ -6,6 +6,7 @@
 
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/edit/patch_distance.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
@@ -26,6 +27,10 @@ constexpr double mostAdded = 0.15;
 constexpr int mostRounds = 12;
 /// Rounds in a row that may leave no fewer points than an earlier round.
 constexpr int mostLostRounds = 2;
+/// With more points, for each vertex of the result, all triangles are too large. One in place of
+/// sixteen begins new meshes that need not be: up to twice the vertices and twice the time; no
+/// limit takes three times as long on some parts.
+constexpr std::size_t mostPerVertex = 16;
 /// Passes over the faces beyond the goal, before the first round.
 constexpr int facePasses = 2;
 /// Smaller angles beside new vertices are raised. Moves to far points may leave smaller angles,
@@ -38,7 +43,15 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
 }
 
-/// Finds the points of surface and result with a distance above a limit.
+Triangles facesOf(const HalfEdgeMesh& m)
+{
+	Triangles faces(std::size_t(m.faceNum));
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		faces[std::size_t(h / 3)][std::size_t(h % 3)] = m.position[m.origin[h]];
+	return faces;
+}
+
+/// Finds the points of surface and result with a distance above a limit, round by round.
 class FarPointSearch {
 public:
 	FarPointSearch(const Surface& surface, double limit, Workers& workers) :
@@ -46,63 +59,71 @@ public:
 	{
 	}
 
-	/// Searches near the points found before, if these were few, then everywhere if no point is
-	/// left there.
-	std::vector<FarPoint> next(const ResultMesh& result, const std::vector<FarPoint>& before) const
+	/// All points at first. Then only the points found before and the faces that changed since are
+	/// looked at: a triangle far from all changes is as near as it was.
+	const std::vector<FarPoint>& next(const ResultMesh& result)
 	{
-		std::vector<FarPoint> points;
-		if (!before.empty() && before.size() <= fewPoints)
-			points = find(result, regionsRound(before, reachInEdges * result.idealEdge));
-		return points.empty() ? find(result, {}) : points;
+		const MeasuredSurface          made(viewOf(result.mesh), input_, workers_);
+		const std::vector<Box<double>> regions = regionsToSearch(facesOf(result.mesh));
+		points_.clear();
+		append(placesBeyond(input_, made, limit_, workers_, regions), true, points_);
+		append(placesBeyond(made, input_, limit_, workers_, regions), false, points_);
+		return points_;
 	}
 
 private:
-	/// With more points, the test for near triangles takes as long as a full search.
-	static constexpr std::size_t fewPoints = 64;
-	/// Changes at a point stay within this distance of the point.
-	static constexpr float reachInEdges = 4;
+	MeasuredSurface       input_;
+	double                limit_;
+	Workers&              workers_;
+	std::vector<FarPoint> points_; ///< found by the last search
+	Triangles             last_;   ///< faces of the result in the last search
 
-	MeasuredSurface input_;
-	double          limit_;
-	Workers&        workers_;
-
-	static std::vector<Box<double>> regionsRound(const std::vector<FarPoint>& points, float reach)
+	/// Empty in the first search: everywhere.
+	std::vector<Box<double>> regionsToSearch(Triangles now)
 	{
-		const Vec3d              corner(reach, reach, reach);
 		std::vector<Box<double>> regions;
-		for (const FarPoint& p : points) {
-			const Vec3d at(p.position);
-			regions.push_back({at - corner, at + corner});
+		if (last_.empty()) {
+			last_ = std::move(now);
+			return regions;
 		}
+		for (const FarPoint& p : points_)
+			regions.emplace_back(Vec3d(p.position), Vec3d(p.position));
+		for (std::size_t f = 0; f < std::max(now.size(), last_.size()); ++f) {
+			if (f < now.size() && f < last_.size() && now[f] == last_[f]) continue;
+			for (const Triangles* faces : {&last_, &now}) {
+				if (f < faces->size()) regions.push_back(roundFace((*faces)[f]));
+			}
+		}
+		last_ = std::move(now);
 		return regions;
 	}
 
-	std::vector<FarPoint> find(const ResultMesh&               result,
-							   const std::vector<Box<double>>& regions) const
+	/// All points that the face may have kept within the limit.
+	Box<double> roundFace(const std::array<Vec3f, 3>& face) const
 	{
-		const MeasuredSurface made(viewOf(result.mesh), input_, workers_);
-		std::vector<FarPoint> points;
-		append(placesBeyond(input_, made, limit_, workers_, regions), true, points);
-		append(placesBeyond(made, input_, limit_, workers_, regions), false, points);
-		return points;
+		const Vec3d      reach(limit_, limit_, limit_);
+		const Box<float> box = Box<float>::ofPoints(face);
+		return {Vec3d(box.low) - reach, Vec3d(box.high) + reach};
 	}
 };
 
 } // namespace
 
-bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-				  ResultMesh& result, Workers& workers)
+GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+						 ResultMesh& result, Workers& workers)
 {
 	const double          limit = provable * goal;
-	const FarPointSearch  search(surface, limit, workers);
+	FarPointSearch        search(surface, limit, workers);
 	std::vector<FarPoint> points;
 	std::size_t           before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
 	int                   lostRounds = 0;
 	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
 						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
-		points = search.next(result, points);
-		if (points.empty() || points.size() > std::size_t(result.mesh.vertexNum)) break;
+		points = search.next(result);
+		if (points.size() > mostPerVertex * std::size_t(result.mesh.vertexNum))
+			return GoalOutcome::OutOfReach;
+		if (points.empty()) break;
 		std::vector<FarPoint> left =
 			drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
 						 float(limit), result, workers);
@@ -118,7 +139,7 @@ bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double g
 										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
-	return points.empty();
+	return points.empty() ? GoalOutcome::Kept : GoalOutcome::Open;
 }
 
 } // namespace gpr

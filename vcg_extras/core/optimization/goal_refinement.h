@@ -10,12 +10,17 @@
 
 namespace gpr {
 
+enum class GoalOutcome {
+	Open,      ///< some points are beyond the goal, or there was no refinement yet
+	Kept,      ///< no point is beyond the goal
+	OutOfReach ///< more points than vertices: all triangles are too large
+};
+
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
-/// in rounds. Stops at too many places, because all triangles are too large then. Returns whether
-/// no point is beyond the goal any more. goal: working units. Cost: per round, placesBeyond in both
-/// directions, and refineAt.
-bool refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-				  ResultMesh& result, Workers& workers);
+/// in rounds. goal: working units. Cost: placesBeyond in both directions, and per round the same
+/// near changes, and refineAt.
+GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+						 ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

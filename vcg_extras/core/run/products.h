@@ -11,6 +11,7 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/octree_blocks.h>
 #include <vcg_extras/core/optimization/face_repair.h>
+#include <vcg_extras/core/optimization/goal_refinement.h>
 #include <vcg_extras/core/output/verification.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
@@ -97,13 +98,13 @@ struct Products {
 	PoorFaces                     poor;      ///< Fit to Angles
 
 	// Figures of the later steps.
-	std::int64_t   releasedNum = 0;         ///< vertices released from crowded lines
-	GuardedFigures guarded;                 ///< Contacts
-	bool           hasMadeVertices = false; ///< the last step Contacts made vertices
-	bool           keepsGoal       = false; ///< Refinement: no point was beyond the goal
-	Verification   verified;                ///< Error (its proof), Check
-	QualityFigures quality;                 ///< Export
-	std::int64_t   regularNum = 0;          ///< Export: see RemeshReport::regularVertexNum
+	std::int64_t   releasedNum = 0;                     ///< vertices released from crowded lines
+	GuardedFigures guarded;                             ///< Contacts
+	bool           hasMadeVertices = false;             ///< the last step Contacts made vertices
+	GoalOutcome    refined         = GoalOutcome::Open; ///< Refinement
+	Verification   verified;                            ///< Error (its proof), Check
+	QualityFigures quality;                             ///< Export
+	std::int64_t   regularNum = 0; ///< Export: see RemeshReport::regularVertexNum
 
 	/// Frees the products of a step and of all later steps.
 	void dropFrom(Step step);

@@ -211,6 +211,7 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.releasedNum      = 0;
+	made.refined          = GoalOutcome::Open;
 	const bool mayRelease = mayReleaseLines(run) && areLinesCrowded(run, made.result);
 	if (mayRelease)
 		made.beforeFit = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
@@ -303,11 +304,12 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 {
 	// Before came the removal of contacts. Where it found none the mesh is as it was refined.
 	const bool isSame = made.guarded.foundPairNum == 0 && !made.surface.mesh.meetsAtPlaces;
-	if (made.keepsGoal && isSame) return {};
+	if (made.refined == GoalOutcome::OutOfReach || (made.refined == GoalOutcome::Kept && isSame))
+		return {};
 	run.clock.enter(Stage::Fit);
 	const double       largest = goal.largest * made.surface.frame.scale;
 	const std::int64_t before  = made.result.vertexNum();
-	made.keepsGoal = refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	made.refined = refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
 	return {int(made.result.vertexNum() - before), true};
 }
 

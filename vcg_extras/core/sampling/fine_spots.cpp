@@ -26,8 +26,12 @@ constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
 /// A grid whose cells list the spots that reach into the cell.
 class SpotGrid {
 public:
-	SpotGrid(const std::vector<FineSpot>& spots, const Frame& frame)
+	SpotGrid(std::vector<FineSpot> spots, const Frame& frame)
 	{
+		// Each list begins with the smallest factor: a search ends at the first spot in reach,
+		// which matters where thousands of spots overlap.
+		std::stable_sort(spots.begin(), spots.end(),
+						 [](const FineSpot& a, const FineSpot& b) { return a.factor < b.factor; });
 		for (const FineSpot& s : spots)
 			cell_ = std::max(cell_, float(s.reach * frame.scale));
 		if (!(cell_ > 0)) return;
@@ -40,10 +44,12 @@ public:
 	{
 		const auto found = spots_.find(keyOf(cellOf(p.x), cellOf(p.y), cellOf(p.z)));
 		if (found == spots_.end()) return 1;
-		float least = 1;
-		for (const Spot& s : found->second)
-			if (squaredLength(p - s.centre) <= s.reach * s.reach) least = std::min(least, s.factor);
-		return least;
+		const auto reaches = [&](const Spot& s) {
+			return squaredLength(p - s.centre) <= s.reach * s.reach;
+		};
+		const std::vector<Spot>& near = found->second;
+		const auto               spot = std::find_if(near.begin(), near.end(), reaches);
+		return spot != near.end() ? spot->factor : 1;
 	}
 
 private:

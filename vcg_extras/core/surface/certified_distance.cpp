@@ -4,10 +4,13 @@
 
 #include "cover_bound.h"
 
+#include <vcg_extras/core/mesh/marked_cells.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +43,12 @@ double convexBound(const Triangle& piece, const Triangle& other)
 	for (const Vec3d& corner : piece)
 		squared = std::max(squared, squaredDistance(corner, other));
 	return std::sqrt(squared);
+}
+
+Box<float> boxOf(const Triangle& t)
+{
+	const Box<double> box = Box<double>::ofPoints(t);
+	return {Vec3f(box.low), Vec3f(box.high)};
 }
 
 std::array<double, 3> squaredEdges(const Triangle& t)
@@ -121,10 +130,10 @@ public:
 	}
 
 	/// Triangles with a point farther than limit, in the regions.
-	std::vector<FarPlace> beyond(double limit, std::vector<Box<double>> regions)
+	std::vector<FarPlace> beyond(double limit, const std::vector<Box<double>>& regions)
 	{
 		fixedGoal_ = limit;
-		regions_   = std::move(regions);
+		if (!regions.empty()) markRegions(regions);
 		lookAtGroups();
 		std::vector<FarPlace> places(faces_.size());
 		workers_.forEach(faces_.size(), [&](int i) {
@@ -143,10 +152,10 @@ private:
 	double                     slack_;     ///< of both bounds, for rounding
 	double                     exact_ = 0; ///< error of coordinates
 
-	double                   lower_     = 0; ///< largest distance found so far
-	double                   upper_     = 0; ///< of all finished triangles and pieces
-	double                   fixedGoal_ = 0; ///< 0: the goal follows the largest distance found
-	std::vector<Box<double>> regions_;       ///< relative to the origin; empty: everywhere
+	double                     lower_     = 0; ///< largest distance found so far
+	double                     upper_     = 0; ///< of all finished triangles and pieces
+	double                     fixedGoal_ = 0; ///< 0: the goal follows the largest distance found
+	std::optional<MarkedCells> regions_;       ///< relative to the origin; none: everywhere
 
 	struct Face {
 		int triangle, hint;
@@ -182,18 +191,21 @@ private:
 		return true;
 	}
 
-	bool isInRegions(const Box<double>& box) const
+	void markRegions(const std::vector<Box<double>>& regions)
 	{
-		return regions_.empty() ||
-			   std::any_of(regions_.begin(), regions_.end(),
-						   [&](const Box<double>& region) { return region.meets(box); });
+		const Box<double>& all = from_.box();
+		regions_.emplace(Vec3f(all.low), float(all.largestSide()) + 1e-30f);
+		for (const Box<double>& region : regions)
+			regions_->mark({Vec3f(region.low), Vec3f(region.high)});
 	}
+
+	bool isInRegions(const Box<float>& box) const { return !regions_ || regions_->mayMeet(box); }
 
 	/// A group outside of the regions counts as near.
 	Finding ofGroup(int level, int i) const
 	{
 		const Box<float>& box = from_.groupBox(level, i);
-		if (!isInRegions({Vec3d(box.low), Vec3d(box.high)})) return {0, 0, 0};
+		if (!isInRegions(box)) return {0, 0, 0};
 		const Vec3d                 p    = centreOf(from_.triangle(from_.groupBegin(level, i)));
 		const TriangleTree::Nearest near = to_.nearest(p);
 		const Vec3d  farthest(std::max(double(box.high.x) - p.x, p.x - double(box.low.x)),
@@ -218,8 +230,7 @@ private:
 			if (isDone(found[i].bound)) continue;
 			for (int t = from_.groupBegin(level, int(i)); t < from_.groupBegin(level, int(i) + 1);
 				 ++t) {
-				if (isInRegions(Box<double>::ofPoints(from_.triangle(t))))
-					faces_.push_back({t, found[i].nearest});
+				if (isInRegions(boxOf(from_.triangle(t)))) faces_.push_back({t, found[i].nearest});
 			}
 		}
 	}
@@ -508,7 +519,7 @@ std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSu
 	}
 	const CertificateSettings settings;
 	std::vector<FarPlace>     places =
-		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit, std::move(own));
+		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit, own);
 	for (FarPlace& p : places)
 		p.position = p.position + from.origin();
 	return places;

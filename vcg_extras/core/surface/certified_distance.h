@@ -58,9 +58,9 @@ struct FarPlace {
 
 /// The triangles of `from` with points farther than the limit from `to`, as found by seven points
 /// of each triangle or by cuts. All other triangles are proven to be near, except a few close to
-/// the limit. regions: if any are given, only triangles whose boxes meet a region count; a few
-/// boxes, in the frame of the mesh. The same for any number of threads. Cost: as the first step of
-/// certifiedDistance.
+/// the limit. regions: if any are given, in the frame of the mesh, only triangles in or near a
+/// region count: all whose boxes meet a region, and some within a 64th of the extent. The same for
+/// any number of threads. Cost: as the first step of certifiedDistance.
 std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSurface& to,
 								   double limit, Workers& workers,
 								   const std::vector<Box<double>>& regions = {});

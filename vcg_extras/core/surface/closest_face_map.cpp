@@ -427,16 +427,16 @@ SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
 	const HalfEdgeMesh& s = surface.mesh;
 	Buffer<int>         faceOf(std::size_t(s.vertexNum), -1);
 	Buffer<float>       squared(std::size_t(s.vertexNum));
+	const float         squaredEnough = enough * enough;
 	workers.forEach(result.faceNum, [&](int f) {
-		const FacePlane plane(result, f);
 		for (const int* v = map.begin(f); v < map.end(f); ++v) {
-			const Vec3f& p = s.position[*v];
-			faceOf[*v]     = f;
-			squared[*v]    = plane.squaredDistance(p, plane.nearestFoot(p));
+			faceOf[*v]      = f;
+			const Vec3f& p  = s.position[*v];
+			const Vec3f  on = nearestOnTheWay(result, p, squaredEnough, faceOf[*v]);
+			squared[*v]     = squaredLength(on - p);
 		}
 	});
-	const float squaredEnough = enough * enough;
-	const auto  sums          = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
+	const auto      sums = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
         const Vec3f centre   = s.faceCentre(f);
         float       ofCentre = HUGE_VALF, ofCorners = 0, largest = 0;
         for (int h = 3 * f; h < 3 * f + 3; ++h) {
