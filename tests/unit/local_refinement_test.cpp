@@ -100,8 +100,8 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 /// Later rounds look only at points found before and at faces that changed.
 TEST(RefineToGoal, LeavesNoPointBeyondTheGoal)
 {
-	Laid         on(tents(120), grid(30, 30));
-	const double goal = 0.08 * height * on.surface.frame.scale;
+	Laid         on(tents(120), grid(45, 45));
+	const double goal = 0.04 * height * on.surface.frame.scale;
 	ASSERT_GT(pointsBeyond(on, goal).size(), 9u);
 	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
 			  GoalOutcome::Kept);

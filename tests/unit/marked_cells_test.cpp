@@ -26,10 +26,10 @@ Box<float> someBox(Random& random, double most)
 TEST(MarkedCells, MissNoBoxThatMeetsAMark)
 {
 	Random random(5);
-	for (double most : {0.0, 0.01, 0.3}) {
+	for (double most : {0.0, 0.012, 0.3}) {
 		MarkedCells             cells({0, 0, 0}, 1);
 		std::vector<Box<float>> marks;
-		for (int i = 0; i < 200; ++i) {
+		for (int i = 0; i < 1000; ++i) {
 			marks.push_back(someBox(random, 0.02));
 			cells.mark(marks.back());
 		}
