@@ -179,8 +179,6 @@ MUTANTS = [
      "for (int k = 0; k < 0; ++k) {"),
     ("far points: faces that changed are looked at", "optimization/goal_refinement.cpp",
      "if (f < faces->size()) regions.push_back(roundFace((*faces)[f]));", ""),
-    ("far points: points found before are looked at", "optimization/goal_refinement.cpp",
-     "regions.emplace_back(Vec3d(p.position), Vec3d(p.position));", "(void)p;"),
     ("fine spots: the smallest factor", "sampling/fine_spots.cpp",
      "return a.factor < b.factor;", "return a.factor > b.factor;"),
     ("marked cells: a box may begin beside a mark", "mesh/marked_cells.h",
