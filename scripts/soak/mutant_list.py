@@ -437,7 +437,7 @@ MUTANTS = [
     ("lines are released once", "run/plan.cpp",
      "return returnIf(facts.areLinesCrowded, Step::Release);", "return returnIf(facts.areLinesCrowded, Step::Fit);"),
     ("released lines may not lose the surface", "run/result_stages.cpp",
-     "return of.rms > std::max(nearMean * edge, mostFarther * before.rms) ||", "return false &&"),
+     "return of.rms > std::max(nearMean, mostFarther * before.rms) ||", "return false &&"),
     ("a wish is raised", "run/plan.cpp",
      "if (isWish() && mayReturn()) return raiseTo(facts);", ""),
     ("a raised wish out of reach is taken at once", "run/plan.cpp",

@@ -164,7 +164,7 @@ SampledDistance sampledBetween(const HalfEdgeMesh& input, const HalfEdgeMesh& re
 							   Workers& workers)
 {
 	const MeasuredSurface from(viewOf(input), workers), to(viewOf(result), from, workers);
-	return sampledDistance({input, from}, {result, to}, workers);
+	return sampledDistance({input, from}, {result, to}, 10, workers);
 }
 
 } // namespace gpr::test

@@ -184,18 +184,6 @@ TEST(ClosestFaceMap, FollowTheFacesThatMove)
 	EXPECT_EQ(listed, laid.surface.mesh.vertexNum);
 }
 
-TEST(DistanceByMap, IsTheDistanceOfMetro)
-{
-	const Laid            laid(icosphere(5), icosphere(2));
-	Workers               workers(2, nullptr);
-	const ClosestFaceMap  map(laid.surface, laid.result, workers);
-	const MeasuredSurface to(viewOf(laid.result.mesh), workers);
-	const SurfaceDistance metro = to.from(viewOf(laid.surface.mesh), 100000, workers);
-	const SurfaceDistance ours  = distanceByMap(laid.surface, map, laid.result.mesh, 0, workers);
-	EXPECT_NEAR(ours.rms, metro.rms, 0.01 * metro.rms);
-	EXPECT_NEAR(ours.max, metro.max, 0.01 * metro.max);
-}
-
 TEST(ClosestFaceMap, AreListedOnceEachAndSumUpToTheArea)
 {
 	const Laid           laid(torus(120, 60), torus(30, 15));

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "closest_face_map.h"
 
-#include "local_nearest.h"
-
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_plane.h>
@@ -408,55 +406,6 @@ void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers
 	});
 	start_.swap(start);
 	item_.swap(item);
-}
-
-SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
-							  const HalfEdgeMesh& result, float enough, Workers& workers)
-{
-	struct Sums {
-		double area = 0, squares = 0, largest = 0;
-
-		Sums& operator+=(const Sums& o)
-		{
-			area += o.area;
-			squares += o.squares;
-			largest = std::max(largest, o.largest);
-			return *this;
-		}
-	};
-	const HalfEdgeMesh& s = surface.mesh;
-	Buffer<int>         faceOf(std::size_t(s.vertexNum), -1);
-	Buffer<float>       squared(std::size_t(s.vertexNum));
-	const float         squaredEnough = enough * enough;
-	workers.forEach(result.faceNum, [&](int f) {
-		for (const int* v = map.begin(f); v < map.end(f); ++v) {
-			faceOf[*v]      = f;
-			const Vec3f& p  = s.position[*v];
-			const Vec3f  on = nearestOnTheWay(result, p, squaredEnough, faceOf[*v]);
-			squared[*v]     = squaredLength(on - p);
-		}
-	});
-	const auto      sums = workers.sumEach<Sums>(s.faceNum, [&](int f, Sums& sum) {
-        const Vec3f centre   = s.faceCentre(f);
-        float       ofCentre = HUGE_VALF, ofCorners = 0, largest = 0;
-        for (int h = 3 * f; h < 3 * f + 3; ++h) {
-            int near = faceOf[s.origin[h]];
-            if (near < 0) return;
-            ofCorners += squared[s.origin[h]];
-            largest = std::max(largest, squared[s.origin[h]]);
-            if (ofCentre <= squaredEnough) continue; // nearly always after the first corner
-            const Vec3f on = nearestOnTheWay(result, centre, squaredEnough, near);
-            ofCentre       = std::min(ofCentre, squaredLength(on - centre));
-        }
-        // Exact where the distance, with its sign, is linear.
-        const double mean = double(ofCorners / 12 + ofCentre * 3 / 4);
-        const double area = double(length(s.faceCross(f)));
-        sum += {area, area * mean, double(largest)};
-    });
-	SurfaceDistance distance;
-	if (sums.area > 0) distance.rms = std::sqrt(sums.squares / sums.area);
-	distance.max = std::sqrt(sums.largest);
-	return distance;
 }
 
 } // namespace gpr

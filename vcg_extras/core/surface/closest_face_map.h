@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/report.h>
 
 #include <vector>
 
@@ -45,14 +44,6 @@ private:
 	std::vector<Leaver> takeLeavers(const HalfEdgeMesh& result, Workers& workers);
 	void                takeIn(const std::vector<Leaver>& leavers, Workers& workers);
 };
-
-/// The distance of the working surface from the result without a search tree: root mean square by
-/// the corners and the centre of each face, from the faces of the result that the corners belong
-/// to, and the largest of a corner. On 32 CAD parts the root mean square is within some percent of
-/// sampledDistance. enough: a smaller distance of a centre need not be exact. Cost: a pass over the
-/// working surface, parallel.
-SurfaceDistance distanceByMap(const Surface& surface, const ClosestFaceMap& map,
-							  const HalfEdgeMesh& result, float enough, Workers& workers);
 
 /// For each vertex of the working surface, a vertex of the result near by: a breadth-first flood
 /// from all surface points at once. -1 for vertices that the flood does not reach. Cost: linear,

@@ -188,11 +188,10 @@ std::int64_t distanceSampleNum(std::size_t resultFaceNum)
 }
 
 SampledDistance sampledDistance(const MeasuredMesh& input, const MeasuredMesh& result,
-								Workers& workers)
+								int pointsPerFace, Workers& workers)
 {
-	// At the most points, 200 are beyond the p99.9.
-	const auto sampleNum =
-		std::clamp<std::int64_t>(10 * std::int64_t(result.mesh.faceNum), 20000, 200000);
+	const std::int64_t sampleNum =
+		std::int64_t(pointsPerFace) * std::clamp(result.mesh.faceNum, 2000, 20000);
 	const DistanceFigures there = input.surface.from(viewOf(result.mesh), sampleNum, workers);
 	const DistanceFigures back  = result.surface.from(viewOf(input.mesh), sampleNum, workers);
 	return {{there, back}, there.vertexMax};
