@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace gpr {
@@ -27,9 +28,9 @@ constexpr double mostAdded = 0.15;
 constexpr int mostRounds = 12;
 /// Rounds in a row that may leave no fewer points than an earlier round.
 constexpr int mostLostRounds = 2;
-/// With more points, for each vertex of the result, all triangles are too large. One in place of
-/// sixteen begins new meshes that need not be: up to twice the vertices and twice the time; no
-/// limit takes three times as long on some parts.
+/// The most far points for each vertex of the result. With more points all triangles are too large,
+/// and the refinement ends. With a limit of one, some results get twice the vertices in twice the
+/// time, because a new mesh is made. Without a limit, some parts take three times as long.
 constexpr std::size_t mostPerVertex = 16;
 /// Passes over the faces beyond the goal, before the first round.
 constexpr int facePasses = 2;
@@ -43,12 +44,11 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
 }
 
-Triangles facesOf(const HalfEdgeMesh& m)
+Triangles trianglesOf(const HalfEdgeMesh& m)
 {
-	Triangles faces(std::size_t(m.faceNum));
-	for (int h = 0; h < m.halfEdgeNum(); ++h)
-		faces[std::size_t(h / 3)][std::size_t(h % 3)] = m.position[m.origin[h]];
-	return faces;
+	std::vector<int> all(std::size_t(m.faceNum));
+	std::iota(all.begin(), all.end(), 0);
+	return trianglesOf(m, all);
 }
 
 /// Finds the points of surface and result with a distance above a limit, round by round.
@@ -59,12 +59,12 @@ public:
 	{
 	}
 
-	/// All points at first. Then only the points found before and the faces that changed since are
-	/// looked at: a triangle far from all changes is as near as it was.
+	/// The first search finds all points. Later searches look only at the points found before and
+	/// near the faces that changed since: all other triangles keep their distances.
 	const std::vector<FarPoint>& next(const ResultMesh& result)
 	{
 		const MeasuredSurface          made(viewOf(result.mesh), input_, workers_);
-		const std::vector<Box<double>> regions = regionsToSearch(facesOf(result.mesh));
+		const std::vector<Box<double>> regions = regionsToSearch(trianglesOf(result.mesh));
 		points_.clear();
 		append(placesBeyond(input_, made, limit_, workers_, regions), true, points_);
 		append(placesBeyond(made, input_, limit_, workers_, regions), false, points_);
@@ -98,7 +98,7 @@ private:
 		return regions;
 	}
 
-	/// All points that the face may have kept within the limit.
+	/// A region with all points within the limit of a face.
 	Box<double> roundFace(const std::array<Vec3f, 3>& face) const
 	{
 		const Vec3d      reach(limit_, limit_, limit_);
@@ -112,18 +112,17 @@ private:
 GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
 						 ResultMesh& result, Workers& workers)
 {
-	const double          limit = provable * goal;
-	FarPointSearch        search(surface, limit, workers);
-	std::vector<FarPoint> points;
-	std::size_t           before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
-	int                   lostRounds = 0;
+	const double   limit = provable * goal;
+	FarPointSearch search(surface, limit, workers);
+	std::size_t    before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
+	int            lostRounds = 0;
 	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
 						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
-		points = search.next(result);
+		const std::vector<FarPoint>& points = search.next(result);
 		if (points.size() > mostPerVertex * std::size_t(result.mesh.vertexNum))
 			return GoalOutcome::OutOfReach;
-		if (points.empty()) break;
+		if (points.empty()) return GoalOutcome::Kept;
 		std::vector<FarPoint> left =
 			drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
 						 float(limit), result, workers);
@@ -139,7 +138,7 @@ GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, d
 										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
-	return points.empty() ? GoalOutcome::Kept : GoalOutcome::Open;
+	return GoalOutcome::Open;
 }
 
 } // namespace gpr

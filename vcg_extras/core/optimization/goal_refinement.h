@@ -17,8 +17,8 @@ enum class GoalOutcome {
 };
 
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
-/// in rounds. goal: working units. Cost: placesBeyond in both directions, and per round the same
-/// near changes, and refineAt.
+/// in rounds. goal: working units. Cost: placesBeyond in both directions, then in each round
+/// refineAt and placesBeyond near the changes.
 GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
 						 ResultMesh& result, Workers& workers);
 
