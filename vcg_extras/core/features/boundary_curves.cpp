@@ -172,11 +172,43 @@ bool leavesMirror(const HalfEdgeMesh& m, int v)
 			 m.isOnMirror(borderNeighbour(m, v, false)));
 }
 
+using ChainEnds = std::map<std::pair<int, int>, int>;
+
+std::pair<int, int> endsOf(const Curve& c)
+{
+	return std::minmax({c.vertex.front(), c.vertex.back()});
+}
+
+ChainEnds countChainEnds(const std::vector<Curve>& curves)
+{
+	ChainEnds number;
+	for (const Curve& c : curves) {
+		if (!c.isClosed) ++number[endsOf(c)];
+	}
+	return number;
+}
+
+/// The least number of edges on a chain: three if it returns to its own node, two if another chain
+/// has the same two nodes.
+int minPieces(const Curve& c, const ChainEnds& chainEnds)
+{
+	if (c.vertex.front() == c.vertex.back()) return 3;
+	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
+}
+
 /// A sample with its arc on the curve at hand.
 struct Mark {
 	float arc;
 	int   sample;
 	bool  operator<(const Mark& o) const { return arc != o.arc ? arc < o.arc : sample < o.sample; }
+};
+
+/// The stops of a curve, from the first to the last or once round, and the arcs of the samples
+/// between each stop and the next.
+struct SpacedStops {
+	std::vector<float>              stop;
+	std::vector<std::vector<float>> between;
+	bool                            areCorners = true; ///< the stops inside the curve
 };
 
 /// Samples the curves in turn; remembers the samples of shared nodes.
@@ -219,43 +251,28 @@ public:
 		}
 	}
 
-	void sampleClosed(int index)
+	/// Spaces the samples of all curves that share no border with other curves: each curve by
+	/// itself, so in parallel.
+	void spaceSamples()
 	{
-		const Curve& c = begin(index);
-		if (border_ == BoundaryMode::Keep && isOfBorder(c) && keptOn(c) >= 3)
-			keepAll(c);
-		else if (shared_ != nullptr && shared_->isAnyShared(index))
-			sampleSharedLoop(c);
-		else if (isTooShort(c))
-			keepThree(c);
-		else
-			sampleLoop(c);
-		// A loop shares no sample with other curves.
-		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
-						 [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
-		finish(c, {});
+		const ChainEnds chainEnds = countChainEnds(out_.curves);
+		spaced_.resize(out_.curves.size());
+		workers_.forTasks(spaced_.size(), [&](std::size_t i, int worker) {
+			const Curve& c = out_.curves[i];
+			if (!c.isClosed)
+				spaced_[i] = stopsOfChain(c, minPieces(c, chainEnds), worker);
+			else if (!keepsAll(c) && !isShared(int(i)) && !isTooShort(c))
+				spaced_[i] = stopsOfLoop(c, worker);
+		});
 	}
 
-	/// minSteps: the least number of parts of the chain, so that it does not coincide with another
-	/// chain.
-	void sampleOpen(int index, int minSteps)
+	void sample(int index)
 	{
-		const Curve&            c      = begin(index);
-		const float             window = windowOf(c);
-		const std::vector<char> turns  = findTurns(c, window);
-		std::vector<float>      stops  = {0};
-		for (int i = 0; i < c.pointNum(); ++i) {
-			const bool inside = i > 0 && i + 1 < c.pointNum();
-			if (turns[i] || (inside && isKept(c.vertex[i]))) stops.push_back(c.arc[i]);
-		}
-		stops.push_back(c.length);
-		const int front    = nodeSample(c.vertex.front(), c, 0);
-		const int pieceNum = int(stops.size()) - 1;
-		for (int i = 0; i < pieceNum; ++i) {
-			if (i > 0) put(c, stops[i], true);
-			sampleBetween(c, stops[i], stops[i + 1], std::max(1, minSteps - pieceNum + 1));
-		}
-		finish(c, {{0, front}, {c.length, nodeSample(c.vertex.back(), c, c.length)}});
+		workers_.poll();
+		index_         = index;
+		firstSample_   = out_.samples.size();
+		const Curve& c = out_.curves[index];
+		finish(c, c.isClosed ? sampleClosed(c) : sampleChain(c));
 	}
 
 	/// Adds vertex v, on no curve, as a sample.
@@ -278,6 +295,7 @@ private:
 	CurveSpacing                   wanted_;
 	int                            index_       = 0;
 	std::size_t                    firstSample_ = 0; ///< of the curve at hand
+	std::vector<SpacedStops>       spaced_;          ///< per curve; empty if sampled in another way
 	std::map<int, int>             sampleOfNode_;
 	std::vector<char>              isKept_; ///< per vertex; empty: none
 	std::unique_ptr<SharedBorders> shared_; ///< or null
@@ -301,12 +319,69 @@ private:
 		return std::min(diskRadius_ * c.smallestSize(), c.length / 6);
 	}
 
-	const Curve& begin(int index)
+	bool keepsAll(const Curve& loop) const
 	{
-		workers_.poll();
-		index_       = index;
-		firstSample_ = out_.samples.size();
-		return out_.curves[index];
+		return border_ == BoundaryMode::Keep && isOfBorder(loop) && keptOn(loop) >= 3;
+	}
+	bool isShared(int loop) const { return shared_ != nullptr && shared_->isAnyShared(loop); }
+
+	std::vector<Mark> sampleClosed(const Curve& c)
+	{
+		if (keepsAll(c))
+			keepAll(c);
+		else if (isShared(index_))
+			sampleSharedLoop(c);
+		else if (isTooShort(c))
+			keepThree(c);
+		else
+			sampleFrom(c, 0);
+		// A loop shares no sample with other curves.
+		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
+						 [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
+		return {};
+	}
+
+	std::vector<Mark> sampleChain(const Curve& c)
+	{
+		const int front = nodeSample(c.vertex.front(), c, 0);
+		sampleFrom(c, 1);
+		return {{0, front}, {c.length, nodeSample(c.vertex.back(), c, c.length)}};
+	}
+
+	/// Makes samples of the stops from the given stop on, and of the arcs between all stops.
+	void sampleFrom(const Curve& c, std::size_t firstStop)
+	{
+		const SpacedStops& spaced = spaced_[std::size_t(index_)];
+		for (std::size_t i = 0; i < spaced.between.size(); ++i) {
+			if (i >= firstStop) put(c, spaced.stop[i], spaced.areCorners);
+			putAll(c, spaced.between[i]);
+		}
+	}
+
+	/// minSteps: the least number of parts of the chain, so that it does not coincide with another
+	/// chain.
+	SpacedStops stopsOfChain(const Curve& c, int minSteps, int worker) const
+	{
+		const std::vector<char> turns  = findTurns(c, windowOf(c));
+		SpacedStops             spaced = {{0}, {}};
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const bool inside = i > 0 && i + 1 < c.pointNum();
+			if (turns[i] || (inside && isKept(c.vertex[i]))) spaced.stop.push_back(c.arc[i]);
+		}
+		const int pieceNum = int(spaced.stop.size());
+		spaceBetween(c, c.length, std::max(1, minSteps - pieceNum + 1), worker, spaced);
+		return spaced;
+	}
+
+	/// Spaces samples between the stops. end: of the last piece.
+	void spaceBetween(const Curve& c, float end, int minSteps, int worker,
+					  SpacedStops& spaced) const
+	{
+		for (std::size_t i = 0; i < spaced.stop.size(); ++i) {
+			workers_.pollFrom(worker);
+			const float to = i + 1 < spaced.stop.size() ? spaced.stop[i + 1] : end;
+			spaced.between.push_back(spaceOut(c, spaced.stop[i], to, wanted_, minSteps));
+		}
 	}
 
 	void put(const Curve& c, float s, bool isCorner)
@@ -319,11 +394,9 @@ private:
 		out_.samples.push_back(sample);
 	}
 
-	/// Samples the curve between the arcs of two stops.
-	void sampleBetween(const Curve& c, float from, float to, int minSteps)
+	void putAll(const Curve& c, const std::vector<float>& arcs)
 	{
-		workers_.poll();
-		for (float s : spaceOut(c, from, to, wanted_, minSteps))
+		for (float s : arcs)
 			put(c, s, false);
 	}
 
@@ -386,27 +459,23 @@ private:
 		return corners;
 	}
 
-	void sampleLoop(const Curve& c)
+	SpacedStops stopsOfLoop(const Curve& c, int worker) const
 	{
 		const std::vector<char> isCorner = cornersOfLoop(c);
-		std::vector<float>      stops;
+		SpacedStops             spaced;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (isCorner[i]) stops.push_back(c.arc[i]);
+			if (isCorner[i]) spaced.stop.push_back(c.arc[i]);
 		}
-		const bool hasCorners = !stops.empty();
-		if (!hasCorners) { // the loop begins at its sharpest turn
+		spaced.areCorners = !spaced.stop.empty();
+		if (!spaced.areCorners) { // the loop begins at its sharpest turn
 			const std::vector<float> turn = turnsOver(c, windowOf(c));
-			stops.push_back(c.arc[std::max_element(turn.begin(), turn.end()) - turn.begin()]);
+			spaced.stop.push_back(c.arc[std::max_element(turn.begin(), turn.end()) - turn.begin()]);
 		}
-		const int n = int(stops.size());
+		const std::size_t n = spaced.stop.size();
 		// Even with few corners, three samples must come out.
 		const int minSteps = n == 1 ? 3 : n == 2 ? 2 : 1;
-		for (int i = 0; i < n; ++i) {
-			const float from = stops[i];
-			const float to   = i + 1 < n ? stops[i + 1] : stops[0] + c.length;
-			put(c, from, hasCorners);
-			sampleBetween(c, from, to, minSteps);
-		}
+		spaceBetween(c, spaced.stop[0] + c.length, minSteps, worker, spaced);
+		return spaced;
 	}
 
 	// ---- shared borders
@@ -462,7 +531,7 @@ private:
 			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
 			out_.samples.back().point.position = c.point[from];
 			if (!shared_->isShared(index_, from))
-				sampleBetween(c, c.arcOf(from), c.arcOf(to), 1);
+				putAll(c, spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1));
 			else if (shared_->isSampled(index_, from))
 				takeShared(c, from, to);
 			else
@@ -557,30 +626,6 @@ void addSizes(const Surface& surface, Curve& c)
 		c.size.push_back(surface.size[v]);
 }
 
-using ChainEnds = std::map<std::pair<int, int>, int>;
-
-std::pair<int, int> endsOf(const Curve& c)
-{
-	return std::minmax({c.vertex.front(), c.vertex.back()});
-}
-
-ChainEnds countChainEnds(const std::vector<Curve>& curves)
-{
-	ChainEnds number;
-	for (const Curve& c : curves) {
-		if (!c.isClosed) ++number[endsOf(c)];
-	}
-	return number;
-}
-
-/// The least number of edges on a chain: three if it returns to its own node, two if another chain
-/// has the same two nodes.
-int minPieces(const Curve& c, const ChainEnds& chainEnds)
-{
-	if (c.vertex.front() == c.vertex.back()) return 3;
-	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
-}
-
 } // namespace
 
 bool isCreaseNode(const HalfEdgeMesh& m, int v)
@@ -628,8 +673,7 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
-	result.curves             = traceCurves(m);
-	const ChainEnds chainEnds = countChainEnds(result.curves);
+	result.curves = traceCurves(m);
 
 	workers.poll();
 	for (Curve& c : result.curves)
@@ -638,12 +682,9 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result, workers);
 	if (border == BoundaryMode::Smooth) sampler.smoothBorders(sharesBorders);
 	if (sharesBorders && border != BoundaryMode::Keep) sampler.shareBorders();
-	for (std::size_t i = 0; i < result.curves.size(); ++i) {
-		if (result.curves[i].isClosed)
-			sampler.sampleClosed(int(i));
-		else
-			sampler.sampleOpen(int(i), minPieces(result.curves[i], chainEnds));
-	}
+	sampler.spaceSamples();
+	for (std::size_t i = 0; i < result.curves.size(); ++i)
+		sampler.sample(int(i));
 	for (int v : coneApexes)
 		sampler.addPoint(v);
 	const std::set<int> isConeApex(coneApexes.begin(), coneApexes.end());
