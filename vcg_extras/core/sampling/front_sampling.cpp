@@ -674,17 +674,22 @@ void sampleBlocks(const OctreeBlocks& partition, bool inRegion, Workers& workers
 	});
 }
 
-/// Floods from the samples of curves, each with the samples of its block.
-void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
-				const OctreeBlocks& partition, Workers& workers,
-				std::vector<BlockSampler>& samplers)
+/// Floods from the samples of curves, each with the samples of its block. Fast since these blocks
+/// are small, so that threads find several of a colour on small parts, too: without new samples no
+/// seams arise. A flood reaches one edge, at most 1.1 r, beyond its disk of radius r, and its
+/// sample lies on a face that may reach as far beyond the block: together less than half a block.
+void floodGiven(const BoundaryCurves& boundary, const Surface& surface, float radius,
+				Workers& workers, std::vector<BlockSampler>& samplers)
 {
-	const std::vector<Block>& blocks  = partition.blocks;
-	const auto                blockOf = [&](std::size_t s) {
+	constexpr float           blockWidth = 7; // in radii
+	const HalfEdgeMesh&       m          = surface.mesh;
+	const OctreeBlocks        partition  = cutIntoBlocks(surface, blockWidth * radius, workers);
+	const std::vector<Block>& blocks     = partition.blocks;
+	const auto                blockOf    = [&](std::size_t s) {
         const int  v = m.origin[3 * boundary.samples[s].point.face];
         const auto next =
             std::upper_bound(blocks.begin(), blocks.end(), v,
-											[](int vertex, const Block& b) { return vertex < b.end; });
+											   [](int vertex, const Block& b) { return vertex < b.end; });
         return int(next - blocks.begin());
 	};
 	Buffer<int> start, given;
@@ -736,7 +741,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 		const SurfacePoint& a = boundary.samples[s].point;
 		shared.samples[s]     = {a, m.faceNormal(a.face), sizeAt(surface, a)};
 	}
-	floodGiven(m, boundary, partition, workers, samplers);
+	floodGiven(boundary, surface, radius, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
 	sampleBlocks(partition, false, workers, samplers);
 	for (const BlockSampler& s : samplers) {
