@@ -183,10 +183,13 @@ private:
 		std::vector<Try>   tries(now.size());
 		const std::int64_t work =
 			std::clamp(workOfChanges / std::int64_t(now.size() + 1), leastOfPatch, mostOfPatch);
-		workers_.forTasks(now.size(), [&](std::size_t i, int worker) {
-			Workers inner(workers_, worker);
-			fillOne(tree, faces[i], now[i].tries, work, inner, tries[i]);
-		});
+		if (now.size() == 1) // all threads work in the patch
+			fillOne(tree, faces.front(), now.front().tries, work, workers_, tries.front());
+		else
+			workers_.forTasks(now.size(), [&](std::size_t i, int worker) {
+				Workers inner(workers_, worker);
+				fillOne(tree, faces[i], now[i].tries, work, inner, tries[i]);
+			});
 		take(now, tries);
 	}
 
