@@ -179,6 +179,8 @@ MUTANTS = [
      "for (int k = 0; k < 0; ++k) {"),
     ("far points: faces that changed are looked at", "optimization/goal_refinement.cpp",
      "if (f < faces->size()) regions.push_back(roundFace((*faces)[f]));", ""),
+    ("far points: an end where no vertex helps", "optimization/goal_refinement.cpp",
+     "return double(leftNum) > mostLost * result.mesh.vertexNum;", "return false;"),
     ("fine spots: the smallest factor", "sampling/fine_spots.cpp",
      "return a.factor < b.factor;", "return a.factor > b.factor;"),
     ("marked cells: a box may begin beside a mark", "mesh/marked_cells.h",

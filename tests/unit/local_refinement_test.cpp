@@ -8,6 +8,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/stages.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/optimization/goal_refinement.h>
@@ -118,6 +119,21 @@ TEST(RefineToGoal, AddsNothingIfAllTrianglesAreTooLarge)
 	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
 			  GoalOutcome::OutOfReach);
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
+}
+
+/// A sheet above the result: hundreds of points stay far, because no vertex of the result may come
+/// to them. Only the points of the tents are brought near, in few rounds.
+TEST(RefineToGoal, EndsWhereNoNewVertexHelps)
+{
+	TriangleMesh sheet = grid(40, 40);
+	for (Vec3d& p : sheet.positions)
+		p.z = 1;
+	Laid         on(joined(tents(120), sheet), grid(45, 45));
+	const int    before = on.result.mesh.vertexNum;
+	const double goal   = 0.04 * height * on.surface.frame.scale;
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+			  GoalOutcome::OutOfReach);
+	EXPECT_LT(on.result.mesh.vertexNum, 2 * before);
 }
 
 TEST(LocalRefinement, PutsAVertexAtAFarPoint)

@@ -26,8 +26,13 @@ constexpr double provable = 0.97;
 constexpr double mostAdded = 0.15;
 /// Each round halves triangles that are still too large. Six rounds suffice, except at thin spikes.
 constexpr int mostRounds = 12;
-/// Rounds in a row that may leave no fewer points than an earlier round.
-constexpr int mostLostRounds = 2;
+/// A round is lost if it leaves more than this share of the points of an earlier round. So many
+/// rounds in a row end the refinement.
+constexpr double mostLeft       = 0.9;
+constexpr int    mostLostRounds = 2;
+/// With more points left for each vertex, a later refinement would not help either: contacts or the
+/// topology forbid new vertices there.
+constexpr double mostLost = 0.25;
 /// The most far points for each vertex of the result. With more points all triangles are too large,
 /// and the refinement ends. With a limit of one, some results get twice the vertices in twice the
 /// time, because a new mesh is made. Without a limit, some parts take three times as long.
@@ -49,6 +54,11 @@ Triangles trianglesOf(const HalfEdgeMesh& m)
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
 	return trianglesOf(m, all);
+}
+
+bool isHopeless(std::size_t leftNum, const ResultMesh& result)
+{
+	return double(leftNum) > mostLost * result.mesh.vertexNum;
 }
 
 /// Finds the points of surface and result with a distance above a limit, round by round.
@@ -131,9 +141,10 @@ GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, d
 		before               = points.size();
 		if (left.empty() && hasFallen) continue;
 		if (left.empty()) left = points;
-		lostRounds = left.size() < fewestLeft ? 0 : lostRounds + 1;
+		lostRounds = double(left.size()) < mostLeft * double(fewestLeft) ? 0 : lostRounds + 1;
 		fewestLeft = std::min(fewestLeft, left.size());
-		if (lostRounds == mostLostRounds) break;
+		if (lostRounds == mostLostRounds)
+			return isHopeless(left.size(), result) ? GoalOutcome::OutOfReach : GoalOutcome::Open;
 		const LocalRefinement settings = {raisedAngle, float(limit),
 										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;

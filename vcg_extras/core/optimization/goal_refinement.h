@@ -13,7 +13,7 @@ namespace gpr {
 enum class GoalOutcome {
 	Open,      ///< some points are beyond the goal, or there was no refinement yet
 	Kept,      ///< no point is beyond the goal
-	OutOfReach ///< far more points than vertices: all triangles are too large
+	OutOfReach ///< far more points than vertices, or many points that no new vertex brings near
 };
 
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
