@@ -26,8 +26,8 @@ constexpr double provable = 0.97;
 constexpr double mostAdded = 0.15;
 /// Each round halves triangles that are still too large. Six rounds suffice, except at thin spikes.
 constexpr int mostRounds = 12;
-/// A round is lost if it leaves more than this share of the points of an earlier round. So many
-/// rounds in a row end the refinement.
+/// A round is lost if it leaves more than this share of the points of an earlier round. The
+/// refinement ends after mostLostRounds lost rounds in a row.
 constexpr double mostLeft       = 0.9;
 constexpr int    mostLostRounds = 2;
 /// With more points left for each vertex, a later refinement would not help either: contacts or the
@@ -57,6 +57,7 @@ Triangles trianglesOf(const HalfEdgeMesh& m)
 	return trianglesOf(m, all);
 }
 
+/// Whether too many points are left for any later refinement.
 bool isHopeless(std::size_t leftNum, const ResultMesh& result)
 {
 	return double(leftNum) > mostLost * result.mesh.vertexNum;

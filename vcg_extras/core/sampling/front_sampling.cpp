@@ -681,6 +681,7 @@ void sampleBlocks(const OctreeBlocks& partition, bool inRegion, Workers& workers
 void floodGiven(const BoundaryCurves& boundary, const Surface& surface, float radius,
 				Workers& workers, std::vector<BlockSampler>& samplers)
 {
+	if (boundary.samples.empty()) return;
 	constexpr float           blockWidth = 7; // in radii
 	const HalfEdgeMesh&       m          = surface.mesh;
 	const OctreeBlocks        partition  = cutIntoBlocks(surface, blockWidth * radius, workers);
