@@ -179,8 +179,6 @@ MUTANTS = [
      "if (f < faces->size()) regions.push_back(roundFace((*faces)[f]));", ""),
     ("far points: an end where no vertex helps", "optimization/goal_refinement.cpp",
      "return double(leftNum) > mostLost * result.mesh.vertexNum;", "return false;"),
-    ("fine spots: the smallest factor", "sampling/fine_spots.cpp",
-     "return a.factor < b.factor;", "return a.factor > b.factor;"),
     ("marked cells: a box may begin beside a mark", "mesh/marked_cells.h",
      "const Vec3f margin(width_, width_, width_);", "const Vec3f margin(0, 0, 0);"),
     ("bound of a piece: its largest corner", "surface/certified_distance.cpp",

@@ -92,11 +92,12 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 	const bool isRefusal = status == Status::CountTooSmall || status == Status::UnusableInput ||
 						   status == Status::BadOptions || status == Status::OutOfMemory;
 	// A result may be withheld if only degenerate faces hold the surface together, if a check finds
-	// self-intersections, or if sheets lie at one place.
+	// self-intersections, if sheets lie at one place, or if no mesh meets the error bound.
 	const bool isWithheld = status == Status::PromiseBroken &&
 							(message.find("degenerate faces") != std::string::npos ||
 							 message.find("self-intersecting") != std::string::npos ||
-							 message.find("other junctions") != std::string::npos);
+							 message.find("other junctions") != std::string::npos ||
+							 message.find("was not reached") != std::string::npos);
 	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;
 	return message.empty() || message.back() != '.' ? "no sentence" : "";
 }

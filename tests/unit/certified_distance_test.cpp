@@ -236,4 +236,84 @@ TEST(CertifiedDistance, BothWaysGiveTheHausdorffDistance)
 	EXPECT_EQ(b.times(2).hausdorff().upper, 2 * b.fromInput.upper);
 }
 
+/// As a certificate for an error bound that the distance just keeps.
+TEST(CertifiedDistance, ProvesAWantedBoundHoweverClose)
+{
+	Workers      workers(2, nullptr);
+	Random       random(1);
+	TriangleMesh rough = grid(12, 12), fine = grid(17, 17);
+	for (TriangleMesh* mesh : {&rough, &fine}) {
+		for (Vec3d& p : mesh->positions)
+			p.z = random.between(0, 0.2);
+	}
+	const auto boundsWith = [&](double relative, double wanted) {
+		CertificateSettings settings;
+		settings.relative = relative;
+		settings.absolute = 1e-6;
+		settings.wanted   = wanted;
+		return certifiedDistances(fine.view(), rough.view(), settings, workers).fromInput;
+	};
+	const double distance = boundsWith(1e-3, 0).upper, wanted = 1.0005 * distance;
+	ASSERT_GT(boundsWith(0.2, 0).upper, wanted) << "the usual bound is too wide";
+	EXPECT_LE(boundsWith(0.2, wanted).upper, wanted);
+	// A bound that the distance does not keep changes nothing.
+	EXPECT_EQ(boundsWith(0.2, 0.5 * distance).upper, boundsWith(0.2, 0).upper);
+}
+
+/// A bump in a plane: the places are in triangles of the bump, none nearer than the limit.
+TEST(PlacesBeyond, AreTheTrianglesThatAreTooFar)
+{
+	TriangleMesh bump = grid(30, 30);
+	for (Vec3d& p : bump.positions)
+		p.z = std::max(0.0, 0.1 - length(p - Vec3d(0.7, 0.4, 0)));
+	Workers                     workers(2, nullptr);
+	const MeasuredSurface       from(bump.view(), workers), to(grid(4, 4).view(), from, workers);
+	const std::vector<FarPlace> places = placesBeyond(from, to, 0.05, workers);
+	ASSERT_FALSE(places.empty());
+	double area = 0;
+	for (const FarPlace& p : places) {
+		EXPECT_GT(p.distance, 0.05);
+		EXPECT_NEAR(p.position.z, p.distance, 1e-9);
+		EXPECT_LT(length(p.position - Vec3d(0.7, 0.4, p.position.z)), 0.051);
+		area += p.area;
+	}
+	EXPECT_GT(area, 3.14 * 0.05 * 0.05);
+	EXPECT_TRUE(placesBeyond(from, to, 0.11, workers).empty());
+}
+
+TEST(PlacesBeyond, AreOnlyThoseInTheRegions)
+{
+	TriangleMesh bumps = grid(40, 40);
+	for (Vec3d& p : bumps.positions) {
+		const double near =
+			std::min(length(p - Vec3d(0.2, 0.2, 0)), length(p - Vec3d(0.8, 0.7, 0)));
+		p.z = 5 + std::max(0.0, 0.1 - near); // the origin of the tree is elsewhere
+	}
+	Workers               workers(2, nullptr);
+	const MeasuredSurface from(bumps.view(), workers);
+	const MeasuredSurface to(shifted(grid(4, 4), {0, 0, 5}).view(), from, workers);
+	const auto            all = placesBeyond(from, to, 0.05, workers);
+	const auto some = placesBeyond(from, to, 0.05, workers, {{{0.1, 0.1, 4}, {0.3, 0.3, 6}}});
+	EXPECT_EQ(2 * some.size(), all.size());
+	for (const FarPlace& p : some)
+		EXPECT_LT(p.position.x, 0.5);
+}
+
+/// A large triangle over a thin peak, which lies between the corners and middles of the triangle.
+TEST(PlacesBeyond, AreFoundBetweenThePointsThatAreLookedAtFirst)
+{
+	TriangleMesh peak = grid(60, 60);
+	for (Vec3d& p : peak.positions)
+		p.z = -std::max(0.0, 0.1 - 2 * length(p - Vec3d(0.55, 0.15, 0)));
+	Workers                     workers(2, nullptr);
+	const MeasuredSurface       from(grid(3, 3).view(), workers), to(peak.view(), from, workers);
+	const std::vector<FarPlace> places = placesBeyond(from, to, 0.03, workers);
+	ASSERT_FALSE(places.empty());
+	for (const FarPlace& p : places) {
+		EXPECT_GT(p.distance, 0.03);
+		EXPECT_LT(length(p.position - Vec3d(0.55, 0.15, 0)), 0.05);
+	}
+	EXPECT_TRUE(placesBeyond(from, to, 0.06, workers).empty());
+}
+
 } // namespace gpr::test

@@ -748,7 +748,7 @@ TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)
 
 namespace {
 
-/// Drives the trials for an error; errorOf(vertexNum, spots so far).
+/// Drives the trials for an error; errorOf(vertexNum).
 class ErrorRun {
 public:
 	std::vector<std::int64_t> tried;
@@ -792,7 +792,7 @@ public:
 				plan.judge(RefinementFacts{addedATime, addedATime > 0});
 				break;
 			case Step::Error:
-				plan.judge(ErrorFacts{errorOf(d.wholeNum()), 1e-4, 1.1});
+				plan.judge(ErrorFacts{errorOf(d.wholeNum()), 1e-4});
 				break;
 			case Step::Export:
 				plan.judge(ExportFacts{d.wholeNum()});

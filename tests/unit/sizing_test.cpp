@@ -24,8 +24,7 @@ protected:
 
 	Sizing sizing(const Surface& surface, float radius)
 	{
-		return makeSizing({options, radius, radius, lines, isFeature, {}, {}, {}}, surface,
-						  workers);
+		return makeSizing({options, radius, radius, lines, isFeature, {}, {}}, surface, workers);
 	}
 };
 
@@ -154,7 +153,7 @@ TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 	const float r = 0.01f, spacing = float(flat.frame.scale) / 80;
 	for (double adapt : {0.0, 1.0}) {
 		options.adapt  = adapt;
-		const Sizing s = makeSizing({options, r, r, lines, isFeature, kept, {}, {}}, flat, workers);
+		const Sizing s = makeSizing({options, r, r, lines, isFeature, kept, {}}, flat, workers);
 		for (int v : kept)
 			EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
 	}

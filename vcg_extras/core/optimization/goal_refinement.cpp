@@ -18,9 +18,9 @@ namespace gpr {
 
 namespace {
 
-/// Share of the goal as limit of the search: if no point is beyond the limit, the proof keeps the
-/// goal.
-constexpr double provable = 0.97;
+/// Share of the goal as limit of the search. The margin is for moves of the steps that follow: with
+/// .97 results have 4 % more vertices on the mean, with .99 more meshes miss the goal.
+constexpr double limitShare = 0.985;
 /// The largest share of new vertices in a round. A larger share means that triangles are too large
 /// everywhere.
 constexpr double mostAdded = 0.15;
@@ -124,7 +124,7 @@ private:
 GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
 						 ResultMesh& result, Workers& workers)
 {
-	const double   limit = provable * goal;
+	const double   limit = limitShare * goal;
 	FarPointSearch search(surface, limit, workers);
 	std::size_t    before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
 	int            lostRounds = 0;

@@ -15,7 +15,7 @@ ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& mad
 }
 
 DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
-							const ComparedSurfaces& both)
+							const ComparedSurfaces& both, double wanted)
 {
 	// Error of input positions by rounding to single precision; the box is about 1. Positions of
 	// the result are compared unrounded.
@@ -23,6 +23,7 @@ DistanceProof proveDistance(RunContext& run, const Surface& surface, double diag
 	const double        scale    = surface.frame.scale;
 	CertificateSettings settings = usualCertificate(diagonal * scale);
 	settings.coordinateError     = rounding;
+	settings.wanted              = wanted * scale;
 	MutualBounds bounds;
 	bounds.toInput   = certifiedDistance(both.result, both.input, settings, run.workers);
 	bounds.fromInput = certifiedDistance(both.input, both.result, settings, run.workers);

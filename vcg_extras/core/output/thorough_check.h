@@ -27,9 +27,10 @@ struct DistanceProof {
 };
 
 /// Proves bounds of the distances between input and result, and writes a note if the budget of the
-/// proof was spent. diagonal: of the input, mesh units. Cost: see certifiedDistance.
+/// proof was spent. diagonal: of the input, mesh units. wanted: a bound to prove, mesh units; 0:
+/// none. Cost: see certifiedDistance.
 DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
-							const ComparedSurfaces& both);
+							const ComparedSurfaces& both, double wanted = 0);
 
 /// Checks too costly for the audit: searches self-intersections, and measures distances by nearest
 /// points, without trust in the surface points of the run. Searches self-intersections of the input

@@ -686,9 +686,8 @@ std::string Plan::judge(const RefinementFacts& facts)
 
 std::string Plan::judge(const ErrorFacts& facts)
 {
-	trial_.error  = facts.error;
-	trial_.share  = facts.share;
-	trial_.growth = facts.growth;
+	trial_.error = facts.error;
+	trial_.share = facts.share;
 	goOn();
 	return "";
 }
@@ -724,7 +723,7 @@ std::string Plan::outcomeForError() const
 	const double goal = search_->goal().largest;
 	if (search_->found() > 0) return metText(best_, trialNum_, request_.diagonal);
 	const std::string missed = missedText(best_, goal, request_.diagonal);
-	if (!request_.options.allowNearest) throw Failure(Status::BadOptions, missed);
+	if (!request_.options.allowNearest) throw Failure(Status::PromiseBroken, missed);
 	return missed;
 }
 

@@ -143,9 +143,8 @@ struct RefinementFacts {
 	bool hasChanged = false; ///< vertices were added or moved, and may make contacts
 };
 struct ErrorFacts {
-	double error  = 0; ///< proven bound of the largest distance, mesh units
-	double share  = 0; ///< of the area of the input, farther from the result than the error bound
-	double growth = 1; ///< factor of the count if only triangles at far places get smaller
+	double error = 0; ///< proven bound of the largest distance, mesh units
+	double share = 0; ///< of the area of the input, farther from the result than the error bound
 };
 struct ExportFacts {
 	std::int64_t vertexNum = 0;

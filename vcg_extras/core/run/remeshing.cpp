@@ -92,7 +92,7 @@ void Remeshing::takeStep()
 		case Step::Region:       findRegion(run, cache_, made_); plan_.goOn(); break;
 		case Step::Input:        judge(makeInput(run, d, cache_, made_)); break;
 		case Step::Surface:      judge(makeSurface(run, d, cache_, made_)); break;
-		case Step::Sizes:        judge(makeSizes(run, d, spots_, made_)); break;
+		case Step::Sizes:        judge(makeSizes(run, d, made_)); break;
 		case Step::Forecast:     judge(forecastCount(run, d, plan_.goal(), made_)); break;
 		case Step::Lines:        judge(findLines(run, d, made_)); break;
 		case Step::GivenLines:   followGivenLines(run, d, made_); plan_.goOn(); break;
@@ -106,7 +106,7 @@ void Remeshing::takeStep()
 		case Step::Angles:       repairAngles(run, made_); plan_.goOn(); break;
 		case Step::Contacts:     judge(removeContacts(run, d, made_)); tellMade(run, made_); break;
 		case Step::Refinement:   judge(refineResult(run, plan_.goal(), made_)); break;
-		case Step::Error:        judge(measureError(run, plan_.goal(), spots_, made_)); break;
+		case Step::Error:        judge(measureError(run, plan_.goal(), made_)); break;
 		case Step::Check:        checkResult(run, d, made_); plan_.goOn(); break;
 		case Step::Export:       exportAll(); break;
 		case Step::Done:         break;

@@ -16,7 +16,6 @@
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/progress.h>
 #include <vcg_extras/core/results.h>
-#include <vcg_extras/core/sampling/fine_spots.h>
 
 #include <new>
 #include <optional>
@@ -110,7 +109,6 @@ private:
 	InputCache                    ownCache_; ///< for the trials of one call
 	Plan                          plan_;
 	Products                      made_;
-	FineSpots                     spots_; ///< places beyond the error bound in the trials so far
 	RemeshResult                  best_;
 	Told                          bestTold_;
 	std::optional<Told>           refused_;    ///< told by the run with the refused count

@@ -324,51 +324,28 @@ namespace {
 
 // ---- The trials for an error bound.
 
-double areaOf(const std::vector<FarPlace>& places)
+/// The share of the area of the input that is farther from the result than the bound.
+double shareBeyond(const ComparedSurfaces& both, double bound, double area, Workers& workers)
 {
-	double area = 0;
-	for (const FarPlace& p : places)
-		area += p.area;
-	return area;
-}
-
-/// The factor by which smaller triangles at the spots raise the number of triangles.
-double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers)
-{
-	return meanSquaredStretch(surface, factorsOf(spots, surface, workers), workers);
-}
-
-/// Finds the places at which the result is farther from the surface than the bound.
-ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces& both,
-							FineSpots& spots, const Products& made)
-{
-	const Surface& surface  = made.surface;
-	const double   limit    = goal * surface.frame.scale;
-	const auto     ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
-	const auto     ofResult = placesBeyond(both.result, both.input, limit, run.workers);
-	const double   total    = surfaceArea(surface.mesh, run.workers);
-	ErrorFacts     facts;
-	facts.share               = std::min(1.0, areaOf(ofInput) / std::max(total, 1e-300));
-	const double       before = growthBy(spots, surface, run.workers);
-	const TrialOfSpots trial{spots.size(), limit, double(made.result.idealEdge)};
-	spots.emplace_back();
-	for (const std::vector<FarPlace>* places : {&ofInput, &ofResult})
-		addSpots(*places, trial, surface.frame, spots.back());
-	facts.growth = growthBy(spots, surface, run.workers) / before;
-	return facts;
+	double beyond = 0;
+	for (const FarPlace& p : placesBeyond(both.input, both.result, bound, workers))
+		beyond += p.area;
+	return std::min(1.0, beyond / std::max(area, 1e-300));
 }
 
 } // namespace
 
-ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made)
+ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, Products& made)
 {
 	run.clock.enter(Stage::Error);
 	const ComparedSurfaces both(made.surface, made.result, run.workers);
-	made.verified.proof = proveDistance(run, made.surface, made.surface.figures.diagonal, both);
-	const double error  = made.verified.proof.bounds.hausdorff().upper;
-	ErrorFacts   facts;
-	if (error > goal.largest) facts = findPlacesBeyond(run, goal.largest, both, spots, made);
-	facts.error = error;
+	made.verified.proof =
+		proveDistance(run, made.surface, made.surface.figures.diagonal, both, goal.largest);
+	ErrorFacts facts;
+	facts.error = made.verified.proof.bounds.hausdorff().upper;
+	if (facts.error > goal.largest)
+		facts.share = shareBeyond(both, goal.largest * made.surface.frame.scale,
+								  surfaceArea(made.surface.mesh, run.workers), run.workers);
 	return facts;
 }
 

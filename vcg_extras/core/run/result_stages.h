@@ -9,7 +9,6 @@
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/results.h>
-#include <vcg_extras/core/sampling/fine_spots.h>
 
 namespace gpr {
 
@@ -50,10 +49,9 @@ void tellMade(RunContext& run, const Products& made);
 /// many places. Returns the number of added vertices.
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made);
 
-/// Step Error: proves the largest distance. If the distance is above the bound, the far places are
-/// appended to `spots`, which the next trial gives smaller triangles. Cost: a proof, and a search
-/// for each triangle perhaps beyond the bound, in parallel.
-ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made);
+/// Step Error: proves the largest distance, and measures the share of the input beyond the bound.
+/// Cost: a proof, and a search for each triangle perhaps beyond the bound, in parallel.
+ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, Products& made);
 
 /// Step Check: audits the result, thoroughly if the options ask for that. Throws Failure if the
 /// result breaks a promise.

@@ -195,8 +195,7 @@ Buffer<float> wantedEdges(RunContext& run, const Surface& surface)
 	return wanted;
 }
 
-Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
-				 Products& made)
+Sizing findSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Sizing);
 	findRegionOnSurface(run, made);
@@ -215,8 +214,7 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	const Buffer<float> wanted = wantedEdges(run, made.surface);
 	return makeSizing({options, uniform, evenEdge(made.surface.area, num),
 					   mayFollow ? made.lines.marks : none, made.sizes.isFeatureVertex,
-					   made.sizes.kept, decisions.purpose == Purpose::Trial ? spots : FineSpots(),
-					   wanted},
+					   made.sizes.kept, wanted},
 					  made.surface, run.workers);
 }
 
@@ -238,9 +236,9 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 }
 
 /// Gives the surface its sizes, and the largest disks the radius for the sizes.
-void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots, Products& made)
+void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
-	Sizing sizing = findSizes(run, decisions, spots, made);
+	Sizing sizing = findSizes(run, decisions, made);
 	made.surface.ring.release();
 	if (sizing.size.empty()) return;
 	made.surface.size       = std::move(sizing.size);
@@ -281,10 +279,9 @@ SizeFacts factsOf(const Products& made, bool countsFaces)
 
 } // namespace
 
-SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
-					Products& made)
+SizeFacts makeSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
-	setSizes(run, decisions, spots, made);
+	setSizes(run, decisions, made);
 	countInput(run, made.surface);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
 	return factsOf(made, decisions.faceNum > 0);

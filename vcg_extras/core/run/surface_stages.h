@@ -6,17 +6,15 @@
 #include "products.h"
 
 #include <vcg_extras/core/base/run_context.h>
-#include <vcg_extras/core/sampling/fine_spots.h>
 
 namespace gpr {
 
 // The steps that examine the working surface before the sampling.
 
 /// Step Sizes: finds the feature region and the local sizes, and splits edges that are too long for
-/// small triangles. The sizes are attached to the vertices. spots: places where an error bound
-/// needs smaller triangles. Throws Failure if the selection is the feature region and is empty.
-SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
-					Products& made);
+/// small triangles. The sizes are attached to the vertices. Throws Failure if the selection is
+/// the feature region and is empty.
+SizeFacts makeSizes(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Forecast: forecasts the count with triangles as flat as the error bound needs, except for a
 /// few triangles.

@@ -215,8 +215,9 @@ private:
 		if (options().targetMode == TargetMode::MaxError) {
 			run_.clock.enter(Stage::Error);
 			const ComparedSurfaces both(surface_, result, run_.workers);
-			made_.verified.proof = proveDistance(run_, surface_, diagonal(), both);
-			if (made_.verified.proof.bounds.hausdorff().upper > largestError(options(), diagonal()))
+			const double           largest = largestError(options(), diagonal());
+			made_.verified.proof = proveDistance(run_, surface_, diagonal(), both, largest);
+			if (made_.verified.proof.bounds.hausdorff().upper > largest)
 				throw Failure(
 					Status::PromiseBroken,
 					"The mirrored half is farther from the input than the largest error.");

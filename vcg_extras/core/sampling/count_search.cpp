@@ -11,9 +11,10 @@ namespace gpr {
 
 namespace {
 
-/// If at most this share of the area misses the bound, only the triangles there become smaller.
-/// Above, all triangles are too large.
-constexpr double shareForSpots = 0.01;
+/// If more than this share of the area misses the bound, all triangles are too large.
+constexpr double mostBeyond = 0.01;
+/// With a smaller share, a count missed the bound by chance, and smaller counts may meet the bound.
+constexpr double leastShare = 0.001;
 /// Growth of the count after a trial that missed the bound, at least, and for the last trial.
 /// Single places that miss the bound depend on chance, so that their distances tell little.
 constexpr double leastGrowth = 1.15, growthAtLast = 1.5;
@@ -26,8 +27,8 @@ constexpr double nearCounts = 1.08;
 /// Largest change of the count from one trial to the next. After added vertices the count shrinks
 /// less: far fewer vertices would miss the bound at very many places.
 constexpr double largestGrowth = 4, largestShrink = 3, shrinkAfterAdded = 1.4;
-/// The first count is a forecast. It is rarely below half of what is needed, as places that miss
-/// the bound get smaller triangles.
+/// The first count is a forecast. It is rarely below half of what is needed, as vertices are added
+/// at places that miss the bound.
 constexpr double growthAfterForecast = 2;
 /// If more than this share of the area misses the bound, the count is far too small: as with thin
 /// walls that the triangles are too wide for. The largest change of the count is then larger.
@@ -48,8 +49,8 @@ std::int64_t CountSearch::after(std::int64_t asked, const ErrorTrial& t)
 		next = isLeast ? 0 : fewerThan(t);
 	}
 	else {
-		missed_ = std::max(missed_, t.evenNum());
-		next    = moreThan(t);
+		if (t.share > leastShare) missed_ = std::max(missed_, t.evenNum());
+		next = moreThan(t);
 	}
 	hasJustMissed_ = !meets;
 	return left_ > 0 ? next : 0;
@@ -82,28 +83,28 @@ std::int64_t CountSearch::fewerThan(const ErrorTrial& t) const
 							 std::sqrt(n * double(missed_))}));
 }
 
-/// The next count after a count that missed the bound. It grows so much that triangles elsewhere
-/// keep their size. If much of the area misses the bound, triangles are too large everywhere: the
-/// number of errors falls about exponentially with their size.
+/// The next count after a count that missed the bound. If much of the area misses the bound,
+/// triangles are too large everywhere: the number of errors falls about exponentially with their
+/// size.
 std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 {
 	const double n = double(t.evenNum());
 	if (n == 0 || t.evenNum() >= goal_.most) return 0;
-	const double share   = std::min(0.9, std::max(t.share, 1e-12));
-	const double byArea  = portable::log(shareForSpots) / portable::log(share);
-	const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
-	if (met_.vertexNum > 0) return between(t, bySpots);
+	const double share  = std::min(0.9, std::max(t.share, 1e-12));
+	const double byArea = portable::log(mostBeyond) / portable::log(share);
+	const double growth = std::max(byArea, leastGrowth);
+	if (met_.vertexNum > 0) return between(t, growth);
 	// The last trial must meet the bound, even with too many vertices.
-	const double atLast  = left_ == 1 ? growthAtLast * t.growth : 0;
+	const double atLast  = left_ == 1 ? growthAtLast : 0;
 	const bool   isFirst = left_ == goal_.maxTrials - 1;
 	const double most    = t.share > shareOfFarOff ? growthFromFarOff
 						   : isFirst               ? growthAfterForecast
 												   : largestGrowth;
-	return clamped(std::min(std::max(bySpots, atLast), most) * n);
+	return clamped(std::min(std::max(growth, atLast), most) * n);
 }
 
-/// The next count between two trials: the count for smaller triangles at the places that miss the
-/// bound. If the last trial missed too, half way: the two counts may be far apart.
+/// The next count between two trials. If the last trial missed too, half way: the two counts may be
+/// far apart.
 std::int64_t CountSearch::between(const ErrorTrial& t, double growth) const
 {
 	const double low = double(t.evenNum()), high = double(met_.evenNum());

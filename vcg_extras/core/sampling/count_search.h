@@ -21,7 +21,6 @@ struct ErrorTrial {
 	std::int64_t vertexNum = 0;
 	double       error     = 0;
 	double       share     = 0; ///< of the area that misses the error bound
-	double       growth    = 1; ///< count with smaller triangles there, over the count
 	std::int64_t addedNum  = 0; ///< vertices added where the mesh missed the bound
 
 	/// The number without added vertices.
@@ -34,9 +33,8 @@ struct ErrorTrial {
 /// would be less regular, and hardly smaller in all.
 ///
 /// A count that meets the bound is lowered to this share. A count that misses the bound at few
-/// places is raised by a few percent: the next trial is expected to make triangles smaller at the
-/// places found so far. If more than 1 % of the area misses the bound, the count is raised until 1
-/// % is left.
+/// places is raised by a few percent: samples lie elsewhere in the next trial. If more than 1 % of
+/// the area misses the bound, the count is raised until 1 % is left.
 class CountSearch {
 public:
 	explicit CountSearch(const ErrorGoal& goal) : goal_(goal), left_(goal.maxTrials) {}
@@ -53,7 +51,7 @@ private:
 	ErrorGoal    goal_;
 	int          left_;                  ///< trials
 	ErrorTrial   met_;                   ///< vertexNum 0: none
-	std::int64_t missed_        = 0;     ///< the largest count that missed the bound
+	std::int64_t missed_        = 0;     ///< the largest count that missed the bound, not by chance
 	bool         hasJustMissed_ = false; ///< whether the last trial missed the bound
 
 	std::int64_t clamped(double n) const;

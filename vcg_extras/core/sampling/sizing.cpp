@@ -184,8 +184,7 @@ bool wantsOtherSizes(const SizingRequest& request)
 	if (o.lambda > 0 || wantsSmallerDisks(request)) return true;
 	if (isPaper(o)) return false;
 	const bool atBorder = matchesBorder(request) && !request.kept.empty();
-	const bool hasUnits = !request.wantedEdge.empty() || o.minEdge > 0 || o.maxEdge > 0;
-	return atBorder || hasUnits || !request.fineSpots.empty();
+	return atBorder || !request.wantedEdge.empty() || o.minEdge > 0 || o.maxEdge > 0;
 }
 
 /// Mean length of the two border edges at every border vertex; 0 inside. Split edges were long:
@@ -321,8 +320,6 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		sizing.size = ungradedSizes(request, surface, workers);
 		if (request.options.adapt > 0)
 			multiply(errorSizes(request, surface, workers), workers, sizing.size);
-		if (!request.fineSpots.empty())
-			multiply(factorsOf(request.fineSpots, surface, workers), workers, sizing.size);
 		limitEdges(request, surface, workers, sizing.size);
 		// The slope depends on the radius, and the radius on the sizes. The sizes before grading
 		// give a radius that is good enough.

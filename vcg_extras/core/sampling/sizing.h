@@ -3,8 +3,6 @@
 #ifndef VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 #define VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 
-#include "fine_spots.h"
-
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/options.h>
@@ -35,7 +33,6 @@ struct SizingRequest {
 	const Buffer<char>&     lines;           ///< feature lines, per half-edge; empty: none
 	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
 	const std::vector<int>& kept;            ///< input vertices to keep, ascending
-	const FineSpots&        fineSpots;       ///< places with smaller triangles
 	/// Wanted edges at the vertices of the surface, from the user, working units; empty: none.
 	const Buffer<float>& wantedEdge;
 };
@@ -61,8 +58,7 @@ struct SizingRequest {
 ///
 /// Wanted edges of the user (calibrated only) multiply all this, and the product is kept between
 /// minEdge and maxEdge. With TargetMode::Sizes wanted edges are lengths, and the count follows;
-/// with any other target they are scaled to the count. Fine spots (calibrated only) multiply sizes
-/// by their factors.
+/// with any other target they are scaled to the count.
 ///
 /// Cost: linear; for λ a pass over the mesh for every edge along r, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);

@@ -168,7 +168,10 @@ private:
 	double goal() const
 	{
 		if (fixedGoal_ > 0) return fixedGoal_;
-		return (1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
+		const double tight =
+			(1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
+		const double wanted = settings_.wanted - slack_;
+		return lower_ <= wanted ? std::min(tight, wanted) : tight;
 	}
 
 	DistanceBounds bounds() const
