@@ -426,6 +426,13 @@ MUTANTS = [
     # ---- run
     ("search of a count: nothing below", "sampling/count_search.cpp",
      "next = isLeast ? 0 : fewerThan(t);", "next = fewerThan(t);"),
+    ("search of a count: misses by chance", "sampling/count_search.cpp",
+     "if (t.share > leastShare) missed_", "missed_"),
+    ("certificate: a bound to prove", "surface/certified_distance.cpp",
+     "return lower_ <= wanted ? std::min(tight, wanted) : tight;", "return tight;"),
+    ("certificate: a bound that the distance does not keep", "surface/certified_distance.cpp",
+     "return lower_ <= wanted ? std::min(tight, wanted) : tight;",
+     "return settings_.wanted > 0 ? std::min(tight, wanted) : tight;"),
     ("search of a count: fewest vertices", "run/plan.cpp",
      "return meetsA ? a.vertexNum < b.vertexNum : a.error < b.error;", "return a.error < b.error;"),
     ("smallest count: the first is no answer", "run/plan.cpp",

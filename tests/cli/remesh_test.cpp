@@ -275,15 +275,6 @@ TEST_F(Remesh, LinkedOutputStaysALink)
 	EXPECT_NE(content(real), "old");
 }
 
-TEST_F(Remesh, AnErrorOutOfReachIsNoWrongCommandLine)
-{
-	const std::string   in     = put("in.ply", binaryPly(sphere(24), true, false));
-	const std::string   old    = put("out.ply", "old");
-	const ProgramResult result = run({"remesh", in, old, "--max-error", "1e-9"});
-	expectFailure(result, 4, "was not reached");
-	EXPECT_EQ(content(old), "old");
-}
-
 TEST_F(Remesh, TooFewVerticesNamesTheSmallestCount)
 {
 	const std::string   in  = put("in.ply", binaryPly(torus(40), true, false));
