@@ -96,7 +96,7 @@ std::vector<Band> bands()
 		{"BunnyTo10Fast",     bunny, "fast",       percent(10),       .981,  .937,  32,   86.5, 0,     0,    .109,   .86,  1.35, any,   any,  Apart | NoLines},
 		{"BunnyTo2",          bunny, "",           percent(2),        .962,  .9,    31.5, 79.5, 0,     0,    .18,    1.43, 2.3,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  22, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
-		{"BunnyWithin02",     bunny, "",           error(.2, 2900),   .94,   .872,  18,   71.5,   .3,    0,    .057,   .177,  any,  any,   any,  Apart | NoLines},
+		{"BunnyWithin02",     bunny, "",           error(.2, 2900),   .94,   .872,  18,   71.5,   .3,    0,    .057,   .177, any,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Region",   bunny, "region",     percent(10),       .976,  .92,   32,   84,   0,     0,    .048,   .206, .35,  any,   any,  Apart | NoLines},
 		// The option 'lines' forbids the release of lines, even of noisy lines.
 		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .942,  .886,  any,  78,   3.2,   any,  .046,   .29,  .52,  any,   any,  None},

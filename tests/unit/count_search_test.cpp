@@ -173,8 +173,7 @@ TEST(SearchCount, StopsWhereATwentiethCameIn)
 	EXPECT_EQ(trialNum, 1);
 }
 
-/// A count of 1,000 misses the goal at a single place, and all counts from 600 on meet the goal
-/// else.
+/// A count of 1,000 misses the goal at a single place. All other counts from 600 on meet the goal.
 TEST(SearchCount, GoesBelowACountThatMissedByChance)
 {
 	const std::int64_t found = searchCount(goalOf(1, 1000), [&](std::int64_t n) {

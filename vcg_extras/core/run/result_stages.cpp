@@ -17,7 +17,6 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
-#include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 #include <vcg_extras/core/surface/surface_distance.h>

@@ -27,8 +27,8 @@ constexpr double nearCounts = 1.08;
 /// Largest change of the count from one trial to the next. After added vertices the count shrinks
 /// less: far fewer vertices would miss the bound at very many places.
 constexpr double largestGrowth = 4, largestShrink = 3, shrinkAfterAdded = 1.4;
-/// The first count is a forecast. It is rarely below half of what is needed, as vertices are added
-/// at places that miss the bound.
+/// The first count is a forecast. It is rarely below half of the needed count, because vertices are
+/// added at places that miss the bound.
 constexpr double growthAfterForecast = 2;
 /// If more than this share of the area misses the bound, the count is far too small: as with thin
 /// walls that the triangles are too wide for. The largest change of the count is then larger.

@@ -33,7 +33,7 @@ struct ErrorTrial {
 /// would be less regular, and hardly smaller in all.
 ///
 /// A count that meets the bound is lowered to this share. A count that misses the bound at few
-/// places is raised by a few percent: samples lie elsewhere in the next trial. If more than 1 % of
+/// places is raised a little: samples lie elsewhere in the next trial. If more than 1 % of
 /// the area misses the bound, the count is raised until 1 % is left.
 class CountSearch {
 public:

@@ -20,6 +20,19 @@ namespace gpr {
 
 namespace {
 
+/// Area mean of 1/size², for sizes at the vertices; 1 if the area is zero. The number of triangles
+/// is proportional to this mean.
+double meanSquaredStretch(const Surface& surface, const Buffer<float>& size, Workers& workers)
+{
+	const double area = workers.sumEach<double>(
+		size.size(), [&](int v, double& sum) { sum += double(surface.area[v].value()); });
+	const double weighted = workers.sumEach<double>(size.size(), [&](int v, double& sum) {
+		const double here = size[v];
+		sum += double(surface.area[v].value()) / (here * here);
+	});
+	return area > 0 ? weighted / area : 1;
+}
+
 /// Largest growth of sizes over distance, both in units of the largest radius. Faster growth makes
 /// small angles.
 float gradingSlope(const SizingRequest& request)
@@ -366,17 +379,6 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 }
 
 } // namespace
-
-double meanSquaredStretch(const Surface& surface, const Buffer<float>& size, Workers& workers)
-{
-	const double area = workers.sumEach<double>(
-		size.size(), [&](int v, double& sum) { sum += double(surface.area[v].value()); });
-	const double weighted = workers.sumEach<double>(size.size(), [&](int v, double& sum) {
-		const double here = size[v];
-		sum += double(surface.area[v].value()) / (here * here);
-	});
-	return area > 0 ? weighted / area : 1;
-}
 
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
 {

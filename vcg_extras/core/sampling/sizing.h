@@ -63,10 +63,6 @@ struct SizingRequest {
 /// Cost: linear; for λ a pass over the mesh for every edge along r, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
-/// Area mean of 1/size², for sizes at the vertices; 1 if the area is zero. The number of triangles
-/// is proportional to this mean.
-double meanSquaredStretch(const Surface& surface, const Buffer<float>& size, Workers& workers);
-
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
 /// normals. The divergence of the vertex normals over each face (half of it is H) is summed and
 /// divided by the area over the ring, then averaged `ringPasses` times over rings. Nothing is

@@ -164,14 +164,18 @@ private:
 	std::vector<Piece> pieces_;
 	std::int64_t       cutNum_ = 0;
 
+	/// The largest bound as close to the largest distance found as the settings ask.
+	double tightBound() const
+	{
+		return (1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
+	}
+
 	/// Triangles and pieces with a bound up to the goal are finished.
 	double goal() const
 	{
 		if (fixedGoal_ > 0) return fixedGoal_;
-		const double tight =
-			(1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
 		const double wanted = settings_.wanted - slack_;
-		return lower_ <= wanted ? std::min(tight, wanted) : tight;
+		return lower_ <= wanted ? std::min(tightBound(), wanted) : tightBound();
 	}
 
 	DistanceBounds bounds() const
@@ -182,7 +186,7 @@ private:
 		DistanceBounds b;
 		b.lower         = std::max(0.0, lower_ - slack_);
 		b.upper         = upper + slack_;
-		b.isBudgetSpent = !pieces_.empty();
+		b.isBudgetSpent = !pieces_.empty() && upper > tightBound();
 		return b;
 	}
 

@@ -19,8 +19,8 @@ namespace gpr {
 struct CertificateSettings {
 	double relative = 0.01; ///< upper is at most (1 + relative) lower + absolute
 	double absolute = 0;    ///< mesh units, at least some millionths of the extent
-	/// A bound to prove, mesh units: upper is at most this if the distance is, however close. 0:
-	/// none.
+	/// A bound to prove, mesh units; 0: none. If the distance is at most this bound, so is upper,
+	/// even if the distance is only a little smaller.
 	double wanted = 0;
 	/// Largest error of the coordinates, mesh units; the bounds hold in spite of such errors.
 	double coordinateError = 0;
