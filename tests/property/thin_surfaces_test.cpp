@@ -271,7 +271,7 @@ TEST(ThinSurfaces, OfAnInputThatIntersectsItselfAreNotRefused)
 	const TriangleMesh both = joined(icosphere(4), shifted(icosphere(4), {1.2, 0.1, 0.05}));
 	const RemeshResult r    = remesh(both.view(), optionsFor(300, true));
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_GT(r.report.audit.guarded.inputPairNum, 0);
+	EXPECT_GT(r.report.audit.guarded.inputFaceNum, 0);
 	EXPECT_EQ(r.report.audit.guarded.vertexNum, 0) << "all pairs are the input's own";
 }
 

@@ -152,7 +152,7 @@ void expectTraits(const Band& band, const RemeshResult& r)
 	if (band.traits & Apart) {
 		Workers workers(2, nullptr);
 		EXPECT_TRUE(findTouchingPairs(halfEdgesOf(r.mesh), workers).empty());
-		EXPECT_EQ(r.report.audit.guarded.inputPairNum, 0);
+		EXPECT_EQ(r.report.audit.guarded.inputFaceNum, 0);
 		EXPECT_LE(r.report.audit.guarded.vertexNum, std::int64_t(r.mesh.vertexNum() / 5))
 			<< "only patches are made anew";
 	}

@@ -183,7 +183,30 @@ TEST(TouchingPairs, AreThoseOfAllPairs)
 	for (const FacePair& pair : pairs) {
 		if (pair.second >= first) late.push_back(pair);
 	}
-	EXPECT_EQ(findTouchingPairs(m, workers, Seams::Joined, first), late);
+	std::vector<char> wanted(std::size_t(m.faceNum), 1);
+	std::fill_n(wanted.begin(), first, char(0));
+	EXPECT_EQ(findTouchingPairs(m, workers, Seams::Joined, wanted), late);
+}
+
+TEST(TouchingFaces, AreThoseOfThePairs)
+{
+	Random             random(4);
+	const TriangleMesh one   = noisySphere(2, 0.1, random);
+	const TriangleMesh two   = noisySphere(2, 0.1, random);
+	HalfEdgeMesh       m     = halfEdgesOf(joined(one, shifted(two, {0.7, 0.2, 0.1})));
+	const auto         faces = facesOf(touchingPairsOneByOne(m));
+	ASSERT_GT(faces.size(), 20u);
+	for (const int threads : {1, 3}) {
+		Workers workers(threads, nullptr);
+		EXPECT_EQ(findTouchingFaces(m, workers), faces);
+	}
+	Workers workers(1, nullptr);
+	m.mirrorAxis = 0;
+	EXPECT_EQ(findTouchingFaces(m, workers), facesOf(findTouchingPairs(m, workers)));
+	EXPECT_GT(findTouchingFaces(m, workers).size(), faces.size()) << "half the sphere lies beyond";
+	const HalfEdgeMesh cut = halfEdgesOf(joined(grid(4, 4), shifted(grid(4, 4), {1, 0, 0})));
+	EXPECT_TRUE(findTouchingFaces(cut, workers).empty());
+	EXPECT_FALSE(findTouchingFaces(cut, workers, Seams::Apart).empty());
 }
 
 /// If border vertices at one place have the same name, a degenerate face has a name twice.
@@ -229,6 +252,7 @@ TEST(TouchingPairs, AreSomeHundredsForEachFaceAtMost)
 	EXPECT_GE(pairs.size(), std::size_t(num));
 	EXPECT_LE(pairs.size(), std::size_t(300 * num));
 	EXPECT_EQ(facesOf(pairs).size(), std::size_t(num));
+	EXPECT_EQ(findTouchingFaces(halfEdgesOf(mesh), workers, Seams::Apart).size(), std::size_t(num));
 	Workers one(1, nullptr);
 	EXPECT_EQ(pairs, findTouchingPairs(halfEdgesOf(mesh), one, Seams::Apart));
 }

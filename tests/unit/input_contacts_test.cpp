@@ -31,7 +31,7 @@ TEST(InputContacts, AreOnlyThoseNearby)
 	const HalfEdgeMesh result = halfEdgesOf(joined(spheres(2, 0, 1.5), spheres(2, 10, 1.5)));
 	const std::vector<FacePair> pairs = findTouchingPairs(result, workers);
 	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
-	EXPECT_EQ(contacts.pairNum(), std::int64_t(findTouchingPairs(input, workers).size()));
+	EXPECT_EQ(contacts.faceNum(), std::int64_t(findTouchingFaces(input, workers).size()));
 	const std::vector<FacePair> others = contacts.withoutInputs(result, pairs);
 	ASSERT_FALSE(others.empty());
 	EXPECT_LT(others.size(), pairs.size());
@@ -50,18 +50,18 @@ TEST(InputContacts, AreNoneWhereOnlyTheResultIntersectsItself)
 	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
 	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
 	ASSERT_FALSE(pairs.empty());
-	EXPECT_EQ(contacts.pairNum(), 0);
+	EXPECT_EQ(contacts.faceNum(), 0);
 	EXPECT_EQ(contacts.withoutInputs(result, pairs), pairs);
 }
 
-/// The input's pairs elsewhere are not looked for.
+/// Contacts of the input elsewhere are not looked for.
 TEST(InputContacts, FarFromThePairsAreNotCounted)
 {
 	Workers                     workers(2, nullptr);
 	const HalfEdgeMesh          input  = halfEdgesOf(joined(spheres(3, 0, 3), spheres(3, 20, 1.5)));
 	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
 	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
-	EXPECT_EQ(InputContacts(input, result, pairs, 0.1f, workers).pairNum(), 0);
+	EXPECT_EQ(InputContacts(input, result, pairs, 0.1f, workers).faceNum(), 0);
 }
 
 /// Two triangles that cut each other, a unit long from x on.
@@ -85,7 +85,7 @@ TEST(InputContacts, CountUpToADistanceFromThePairs)
 	for (const float distance : {0.04f, 0.1f}) {
 		const InputContacts contacts(input, result, pairs, distance, workers);
 		const bool          isNear = distance > 0.05f;
-		EXPECT_EQ(contacts.pairNum(), isNear ? 1 : 0);
+		EXPECT_EQ(contacts.faceNum(), isNear ? 2 : 0);
 		EXPECT_EQ(contacts.withoutInputs(result, pairs).empty(), isNear);
 	}
 }
@@ -98,8 +98,8 @@ TEST(InputContacts, AreFoundAlongCuts)
 	const HalfEdgeMesh whole = halfEdgesOf(sheet), cut = halfEdgesOf(cutApart(sheet, {0, 1}));
 	const HalfEdgeMesh result         = halfEdgesOf(crossing(0));
 	const std::vector<FacePair> pairs = findTouchingPairs(result, workers);
-	EXPECT_EQ(InputContacts(whole, result, pairs, 0.1f, workers).pairNum(), 0);
-	EXPECT_EQ(InputContacts(cut, result, pairs, 0.1f, workers).pairNum(), 1);
+	EXPECT_EQ(InputContacts(whole, result, pairs, 0.1f, workers).faceNum(), 0);
+	EXPECT_EQ(InputContacts(cut, result, pairs, 0.1f, workers).faceNum(), 2);
 }
 
 } // namespace gpr::test

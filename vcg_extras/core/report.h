@@ -80,7 +80,7 @@ struct QualityFigures {
 struct GuardedFigures {
 	bool         isTested     = false;
 	std::int64_t foundPairNum = 0; ///< contacts before any removal
-	std::int64_t inputPairNum = 0; ///< contacts of the input near the contacts found
+	std::int64_t inputFaceNum = 0; ///< faces of the input in contact, near the contacts found
 	std::int64_t vertexNum    = 0; ///< vertices made anew by guarded collapses of the input
 	std::int64_t pairNum      = 0; ///< contacts left
 };

@@ -151,14 +151,16 @@ private:
 			made_ = RefilledMesh();
 			HalfEdgeMesh m =
 				partOf(making_.surface.mesh, ofInput_, isTaken_, workers_, made_.inputVertex);
-			hadContacts_         = !findTouchingPairs(m, workers_, Seams::Apart).empty();
+			hadContacts_         = !findTouchingFaces(m, workers_, Seams::Apart).empty();
 			const int inputFaces = m.faceNum;
 			made_.resultVertex.assign(std::size_t(m.vertexNum), -1);
 			append(partOf(result_.mesh, ofResult_, isLeft_, workers_, made_.resultVertex), m);
 			made_.inputVertex.resize(std::size_t(m.vertexNum), -1);
 			if (m.faceNum == inputFaces) return m;
+			std::vector<char> ofResult(std::size_t(m.faceNum), 1);
+			std::fill_n(ofResult.begin(), inputFaces, char(0));
 			const std::vector<FacePair> pairs =
-				findTouchingPairs(m, workers_, Seams::Joined, inputFaces);
+				findTouchingPairs(m, workers_, Seams::Joined, ofResult);
 			if (pairs.empty() || !takeTouching(pairs, inputFaces)) return m;
 		}
 	}
@@ -238,7 +240,7 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 	if (pairs.empty()) return outcome;
 	const InputContacts ofInput(making.surface.mesh, result.mesh, pairs,
 								nearInputs * result.idealEdge, workers);
-	figures.inputPairNum               = ofInput.pairNum();
+	figures.inputFaceNum               = ofInput.faceNum();
 	const std::vector<FacePair> others = ofInput.withoutInputs(result.mesh, pairs);
 	if (others.empty()) return outcome;
 	outcome = makeAnew(making, ofInput, others, result, workers);

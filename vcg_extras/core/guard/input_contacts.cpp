@@ -50,10 +50,8 @@ InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& resu
 	});
 	const HalfEdgeMesh     near      = facesAlone(input, nearFaces, verticesOf(input, nearFaces));
 	// At cuts of the input, the two sides have different vertices here and touch at once.
-	const std::vector<FacePair> found = findTouchingPairs(near, workers, Seams::Apart);
-	pairNum_                          = std::int64_t(found.size());
-	if (found.empty()) return;
-	const std::vector<int> touching = facesOf(found);
+	const std::vector<int> touching = findTouchingFaces(near, workers, Seams::Apart);
+	if (touching.empty()) return;
 	touching_ = std::make_unique<FaceBoxes>(facesAlone(near, touching, verticesOf(near, touching)),
 											workers);
 }
@@ -85,17 +83,11 @@ std::vector<FacePair> InputContacts::withoutInputs(const HalfEdgeMesh&          
 	return others;
 }
 
-std::vector<FacePair> InputContacts::othersIn(const HalfEdgeMesh&                  result,
-											  const std::function<bool(int face)>& isWanted,
-											  Workers&                             workers) const
+std::vector<FacePair> InputContacts::othersIn(const HalfEdgeMesh&      result,
+											  const std::vector<char>& wanted,
+											  Workers&                 workers) const
 {
-	std::vector<FacePair> pairs = findTouchingPairs(result, workers);
-	pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-							   [&](const FacePair& pair) {
-								   return !isWanted(pair.first) && !isWanted(pair.second);
-							   }),
-				pairs.end());
-	return withoutInputs(result, pairs);
+	return withoutInputs(result, findTouchingPairs(result, workers, Seams::Joined, wanted));
 }
 
 } // namespace gpr

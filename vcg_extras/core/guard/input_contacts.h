@@ -10,7 +10,6 @@
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,8 +24,8 @@ public:
 	InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 				  const std::vector<FacePair>& pairs, float distance, Workers& workers);
 
-	/// Contacts found in the input.
-	std::int64_t pairNum() const { return pairNum_; }
+	/// Faces of the input found in contact.
+	std::int64_t faceNum() const { return touching_ ? touching_->faceNum() : 0; }
 
 	/// Whether a face of the result is near a contact of the input.
 	bool isNear(const HalfEdgeMesh& result, int f) const;
@@ -34,13 +33,11 @@ public:
 	std::vector<FacePair> withoutInputs(const HalfEdgeMesh&          result,
 										const std::vector<FacePair>& pairs) const;
 	/// All such contacts of a result with a wanted face. Cost: of findTouchingPairs.
-	std::vector<FacePair> othersIn(const HalfEdgeMesh&                  result,
-								   const std::function<bool(int face)>& isWanted,
-								   Workers&                             workers) const;
+	std::vector<FacePair> othersIn(const HalfEdgeMesh& result, const std::vector<char>& wanted,
+								   Workers& workers) const;
 
 private:
 	float                      distance_;
-	std::int64_t               pairNum_ = 0;
 	std::unique_ptr<FaceBoxes> touching_; ///< faces of the input with contacts; null: none
 
 	Box<float> surroundings(const HalfEdgeMesh& result, int f) const;

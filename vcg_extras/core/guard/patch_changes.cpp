@@ -50,7 +50,7 @@ bool changePatch(const MakingOfVertices& making, const InputContacts& ofInput, P
 {
 	const auto isMarked = [&](int f) { return marked[std::size_t(f)] != 0; };
 	const auto contacts = [&](const HalfEdgeMesh& m) {
-		return ofInput.othersIn(m, isMarked, workers).size();
+		return ofInput.othersIn(m, marked, workers).size();
 	};
 	const HalfEdgeMesh& before = part.result.mesh;
 	const std::size_t   num    = contacts(before);

@@ -97,6 +97,14 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 	return true;
 }
 
+std::vector<char> PatchFilling::changed() const
+{
+	std::vector<char> isChanged;
+	for (int f = 0; f < mesh().faceNum; ++f)
+		isChanged.push_back(!refilled_.guarded->isFixedFace(f));
+	return isChanged;
+}
+
 void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const
 {
 	std::vector<int> labels;

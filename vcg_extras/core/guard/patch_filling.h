@@ -64,8 +64,8 @@ public:
 	const HalfEdgeMesh& mesh() const { return refilled_.guarded->mesh; }
 	/// Number of looks at vertices of the working surface.
 	double work() const { return refilled_.work; }
-	/// Whether a face of mesh() differs from the result's faces, or may have moved.
-	bool isChanged(int face) const { return !refilled_.guarded->isFixedFace(face); }
+	/// Per face of mesh(): whether the face differs from the result's faces, or may have moved.
+	std::vector<char> changed() const;
 
 	/// Marks the faces of the result around pairs of faces of mesh().
 	void markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const;

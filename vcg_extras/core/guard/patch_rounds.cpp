@@ -248,12 +248,10 @@ private:
 	bool isBetter(const PatchPart& part, const PatchFilling& filling, Workers& inner,
 				  std::vector<char>& marked) const
 	{
-		const std::vector<FacePair> left = ofInput_.othersIn(
-			filling.mesh(), [&](int f) { return filling.isChanged(f); }, inner);
+		const std::vector<FacePair> left =
+			ofInput_.othersIn(filling.mesh(), filling.changed(), inner);
 		if (left.empty()) return true;
-		const std::vector<FacePair> before = ofInput_.othersIn(
-			part.result.mesh, [&](int f) { return marked[std::size_t(f)] != 0; }, inner);
-		if (left.size() < before.size()) return true;
+		if (left.size() < ofInput_.othersIn(part.result.mesh, marked, inner).size()) return true;
 		filling.markAround(left, marked);
 		return false;
 	}

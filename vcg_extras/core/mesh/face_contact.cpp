@@ -255,6 +255,20 @@ std::vector<int> facesAtMirror(const HalfEdgeMesh& m, const std::vector<char>& w
 	});
 }
 
+std::vector<FacePair> findPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
+								const std::vector<char>& wanted, FacePairs::Extent extent)
+{
+	const FaceBoxes boxes(m, wanted, workers);
+	const FlatStars stars(m, workers);
+	const auto      doTouch = [&](int f, int g) {
+        return !stars.areInOne(f, g) && doFacesTouch(m, f, g, seams);
+	};
+	std::vector<FacePair> found = FacePairs(boxes, wanted).collect(workers, extent, doTouch);
+	for (int f : facesAtMirror(m, wanted, workers))
+		found.emplace_back(f, f);
+	return found;
+}
+
 } // namespace
 
 bool reachesMirrorImage(const HalfEdgeMesh& m, const NamedTriangle& t)
@@ -295,23 +309,16 @@ bool touch(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces)
 }
 
 std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
-										int firstFace)
+										const std::vector<char>& wanted)
 {
-	std::vector<char> wanted; // per face; empty: all
-	if (firstFace > 0) {
-		wanted.assign(std::size_t(m.faceNum), 0);
-		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
-	}
-	const FaceBoxes boxes(m, wanted, workers);
-	const FlatStars stars(m, workers);
-	const auto      compare = [&](int f, int g, std::vector<FacePair>& out) {
-        if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
-	};
-	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
-	for (int f : facesAtMirror(m, wanted, workers))
-		found.emplace_back(f, f);
+	std::vector<FacePair> found = findPairs(m, workers, seams, wanted, FacePairs::Extent::All);
 	std::sort(found.begin(), found.end());
 	return found;
+}
+
+std::vector<int> findTouchingFaces(const HalfEdgeMesh& m, Workers& workers, Seams seams)
+{
+	return facesOf(findPairs(m, workers, seams, {}, FacePairs::Extent::AllFaces));
 }
 
 std::vector<int> facesOf(const std::vector<FacePair>& pairs)

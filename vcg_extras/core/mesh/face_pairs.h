@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_MESH_FACE_PAIRS_H
 
 #include "face_boxes.h"
+#include "face_contact.h"
 
 #include <vcg_extras/core/base/workers.h>
 
@@ -13,7 +14,7 @@
 
 namespace gpr {
 
-/// A search for the pairs of faces whose boxes meet. Groups of 16 neighbouring faces go through the
+/// A search for pairs of faces by their boxes. Groups of 16 neighbouring faces go through the
 /// tree together, for speed.
 class FacePairs {
 public:
@@ -24,16 +25,21 @@ public:
 	{
 	}
 
-	/// Collects the values that compare(f, g, out) appends for every pair with a wanted face, once
-	/// a pair. The order does not depend on the threads. A group of faces ends its search after
-	/// mostOfGroup values, because thousands of faces at one place have millions of pairs: the list
-	/// then lacks pairs, but is not empty. Cost: O(F log F), parallel.
-	template <class Value, class Compare>
-	std::vector<Value> collect(Workers& workers, const Compare& compare) const
+	enum class Extent {
+		All,     ///< all pairs
+		AllFaces ///< at least one pair of each face in a pair: fewer tests where faces have many
+	};
+
+	/// Collects the pairs with a wanted face, meeting boxes and doMeet(f, g), once a pair. The list
+	/// does not depend on the threads. A group of faces ends its search after mostOfGroup pairs,
+	/// because thousands of faces at one place have millions of pairs: the list then lacks pairs,
+	/// but is not empty. Cost: O(F log F), parallel.
+	template <class Test>
+	std::vector<FacePair> collect(Workers& workers, Extent extent, const Test& doMeet) const
 	{
 		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		return workers.collectEach<Value>(groupNum, [&](int group, auto& out) {
-			if (isGroupWanted(group)) searchGroup(group, compare, out);
+		return workers.collectEach<FacePair>(groupNum, [&](int group, auto& out) {
+			if (isGroupWanted(group)) searchGroup(group, extent, doMeet, out);
 		});
 	}
 
@@ -41,6 +47,8 @@ private:
 	static constexpr int fanOut     = FaceBoxes::fanOut;
 	static constexpr int groupLevel = 2; ///< the level of nodes that are groups
 	static constexpr int groupSize  = fanOut * fanOut;
+	/// A bit for each face of a group.
+	using Marks = std::uint32_t;
 	/// Some hundreds for each face; a group with a face that crosses thousands of faces comes near.
 	static constexpr std::size_t mostOfGroup = 256 * groupSize;
 
@@ -87,9 +95,10 @@ private:
 	}
 
 	/// Compares the wanted faces of a group with all faces in reach.
-	template <class Value, class Compare>
-	void searchGroup(int group, const Compare& compare, std::vector<Value>& out) const
+	template <class Test>
+	void searchGroup(int group, Extent extent, const Test& doMeet, std::vector<FacePair>& out) const
 	{
+		Marks             inPair = 0;
 		const Box<float>& box    = boxes_.level(groupLevel)[group];
 		const std::size_t most   = out.size() + mostOfGroup;
 		const auto        isNear = [&](int level, int i) {
@@ -99,7 +108,7 @@ private:
             return isBehind && boxes_.level(level)[i].meets(box);
 		};
 		boxes_.forEachNode(groupLevel, isNear, [&](int other) {
-			compareGroups(group, other, compare, out);
+			compareGroups(group, other, extent, doMeet, inPair, out);
 			return out.size() < most;
 		});
 	}
@@ -112,8 +121,10 @@ private:
 		return int(end) - 1;
 	}
 
-	template <class Value, class Compare>
-	void compareGroups(int group, int other, const Compare& compare, std::vector<Value>& out) const
+	/// inPair: the faces of the group in a pair so far.
+	template <class Test>
+	void compareGroups(int group, int other, Extent extent, const Test& doMeet, Marks& inPair,
+					   std::vector<FacePair>& out) const
 	{
 		const int        endI   = std::min(boxes_.faceNum(), (group + 1) * groupSize);
 		const int        beginK = other * groupSize;
@@ -121,16 +132,25 @@ private:
 		const Box<float> box    = boxes_.level(groupLevel)[other];
 		const GroupSides sides(&boxes_.level(0)[beginK], endK - beginK);
 		int              meets[groupSize];
+		Marks            othersInPair = 0;
 		for (int i = group * groupSize; i < endI; ++i) {
 			const Box<float> own = boxes_.level(0)[i];
 			if (!own.meets(box)) continue;
 			if (!isWanted(boxes_.face(i))) continue;
 			sides.compareWith(own, meets);
+			const Marks ownMark = Marks(1) << (i - group * groupSize);
 			// The first of two wanted faces finds the second.
 			for (int k = wanted_.empty() ? std::max(i + 1, beginK) : beginK; k < endK; ++k) {
 				if (meets[k - beginK] == 0 || k == i) continue;
-				if (k > i || !isWanted(boxes_.face(k)))
-					compare(boxes_.face(i), boxes_.face(k), out);
+				const int f = boxes_.face(i), g = boxes_.face(k);
+				if (k < i && isWanted(g)) continue;
+				const Marks mark = Marks(1) << (k - beginK);
+				if (extent == Extent::AllFaces && (inPair & ownMark) && (othersInPair & mark))
+					continue;
+				if (!doMeet(f, g)) continue;
+				inPair |= ownMark;
+				othersInPair |= mark;
+				out.push_back(std::minmax(f, g));
 			}
 		}
 	}

@@ -41,11 +41,11 @@ CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 	const HalfEdgeMesh &input = surface.mesh, &result = made.mesh;
 	CheckFigures        figures;
 	figures.done              = true;
-	figures.intersectingFaces = std::int64_t(facesOf(findTouchingPairs(result, workers)).size());
+	figures.intersectingFaces = std::int64_t(findTouchingFaces(result, workers).size());
 	if (figures.intersectingFaces > 0) {
 		// The sides of a cut touch, as for the guard (InputContacts).
 		figures.inputIntersectingFaces =
-			std::int64_t(facesOf(findTouchingPairs(input, workers, Seams::Apart)).size());
+			std::int64_t(findTouchingFaces(input, workers, Seams::Apart).size());
 	}
 	constexpr int         pointsPerFace = 10; // at the most points, 200 are beyond the p99.9
 	const SampledDistance distance =

@@ -203,9 +203,9 @@ private:
 		made_.guarded         = GuardedFigures();
 		made_.guarded.pairNum = std::int64_t(findTouchingPairs(mesh, run_.workers).size());
 		if (made_.guarded.pairNum == 0) return;
-		made_.guarded.inputPairNum =
-			std::int64_t(findTouchingPairs(surface_.mesh, run_.workers, Seams::Apart).size());
-		if (made_.guarded.inputPairNum > 0) return;
+		made_.guarded.inputFaceNum =
+			std::int64_t(findTouchingFaces(surface_.mesh, run_.workers, Seams::Apart).size());
+		if (made_.guarded.inputFaceNum > 0) return;
 		throw Failure(Status::PromiseBroken,
 					  "The halves would intersect each other; ask for more vertices.");
 	}

@@ -116,7 +116,7 @@ Json guardedJson(const AuditFigures& a, const MeshFigures& result)
 	const double share =
 		result.vertices > 0 ? 100 * double(g.vertexNum) / double(result.vertices) : 0;
 	json["pairsFound"]      = g.foundPairNum;
-	json["pairsOfInput"]    = g.inputPairNum;
+	json["facesOfInput"]    = g.inputFaceNum;
 	json["pairsLeft"]       = g.pairNum;
 	json["vertices"]        = g.vertexNum;
 	json["verticesPercent"] = share;
