@@ -32,6 +32,11 @@ struct Few {
 /// angle. With more inverted faces, moves, which cost most, are left out. Such a mesh has contacts
 /// in many places, so changes may then make contacts.
 constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
+/// With a larger share of inverted faces before the fit, where vertices may not go, most triangles
+/// are too wide for the surface. The guard then makes most of the mesh anew, and a search with the
+/// whole budget takes longer than the rest of the run, at the same result.
+constexpr float        mostInverted   = 0.25f;
+constexpr std::int64_t partIfHopeless = 16;
 /// Operations that change the count are tried at few faces, because each must be compensated at
 /// another place. Pairs in a row, which take some hundred trials, are tried only with at most this
 /// many faces left.
@@ -311,7 +316,9 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 	const Goal   goal = invertedFaces(search, mayCollapse);
 	// Degenerate faces are among these.
 	const std::size_t invertedNum = search.findBad(goal).size();
-	const bool        isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
+	if (!mayCollapse && float(invertedNum) > mostInverted * float(result.mesh.faceNum))
+		work /= partIfHopeless;
+	const bool isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
 	if (mayCollapse)
 		compactResult(result, workers);
 	else if (invertedNum > 0)
