@@ -225,8 +225,7 @@ struct Defect {
 	bool                       isCut = false;
 };
 
-/// Each mesh has a single kind of defect, a known number of times. No edges are split before the
-/// repair, since the repair would count the parts.
+/// Each mesh has a single kind of defect, a known number of times.
 std::vector<Defect> defects()
 {
 	const TriangleMesh  ball = icosphere(5);
@@ -260,6 +259,11 @@ std::vector<Defect> defects()
 		return joined(ball, shifted(scaled(other, 0.05), {2, 0, 0}));
 	};
 	defects.push_back({"fins", besideBall(finsOnEdge(3)), &CleanCounts::nonManifoldEdges, 1, true});
+	// Of so large faces the run takes parts; the parts of a face or an edge count once.
+	defects.push_back({"large fins", finsOnEdge(3), &CleanCounts::nonManifoldEdges, 1, true});
+	mesh = cube(1);
+	std::swap(mesh.triangles[0], mesh.triangles[1]);
+	defects.push_back({"a large face turned", mesh, &CleanCounts::reorientedFaces, 1});
 	defects.push_back(
 		{"fans", besideBall(fansSharingVertex(4)), &CleanCounts::nonManifoldVertices, 3});
 	defects.push_back(

@@ -143,6 +143,8 @@ public:
 			if (end - begin == 2) join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 		});
 		m_.counts.longestJunction = std::max(m_.counts.longestJunction, longestJunction());
+		sortUnique(sources_);
+		m_.counts.nonManifoldEdges += std::int64_t(sources_.size());
 		return joinedReversed_;
 	}
 
@@ -155,6 +157,8 @@ private:
 	std::vector<int>&                faulty_;
 	bool                             joinedReversed_ = false;
 	std::vector<std::pair<int, int>> cutEnds_; ///< of edges with more than two faces
+	/// Two faces of the input at each: an edge of the input may be in parts.
+	std::vector<std::pair<int, int>> sources_;
 
 	/// The largest total length of such edges that are connected.
 	double longestJunction() const
@@ -190,10 +194,14 @@ private:
 
 	void noteFaulty(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
-		++m_.counts.nonManifoldEdges;
 		cutEnds_.push_back({sides[begin].low, sides[begin].high});
-		for (std::size_t i = begin; i < end; ++i)
+		std::vector<int> sources;
+		for (std::size_t i = begin; i < end; ++i) {
 			faulty_.push_back(sides[i].halfEdge / 3);
+			sources.push_back(m_.mesh.sourceFace[faulty_.back()]);
+		}
+		std::sort(sources.begin(), sources.end());
+		sources_.push_back({sources[0], sources[1]});
 	}
 
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
@@ -237,10 +245,15 @@ public:
 		for (int f = 0; f < m_.mesh.faceNum; ++f) {
 			if (turned_[f] == unseen) orientComponent(f);
 		}
+		std::vector<int> sources; // a face of the input may be in parts
 		for (int f = 0; f < m_.mesh.faceNum; ++f) {
 			poller_.count();
-			if (turned_[f]) turn(f);
+			if (!turned_[f]) continue;
+			turn(f);
+			sources.push_back(m_.mesh.sourceFace[f]);
 		}
+		sortUnique(sources);
+		m_.counts.reorientedFaces += std::int64_t(sources.size());
 	}
 
 private:
@@ -290,7 +303,6 @@ private:
 	/// (a, b, c) becomes (a, c, b): half-edges 0 and 2 change places.
 	void turn(int f)
 	{
-		++m_.counts.reorientedFaces;
 		std::swap(m_.mesh.triangle[3 * f + 1], m_.mesh.triangle[3 * f + 2]);
 		std::swap(m_.link[3 * f], m_.link[3 * f + 2]);
 		for (int h = 3 * f; h < 3 * f + 3; h += 2) {
