@@ -90,6 +90,25 @@ TEST(InputContacts, CountUpToADistanceFromThePairs)
 	}
 }
 
+TEST(InputContacts, OthersAreThoseOfTheWantedFaces)
+{
+	Workers                     workers(1, nullptr);
+	const HalfEdgeMesh          input  = halfEdgesOf(spheres(3, 0, 3));
+	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
+	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
+	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
+	ASSERT_GT(pairs.size(), 1u);
+	const FacePair&       one = pairs.front();
+	std::vector<char>     wanted(std::size_t(result.faceNum), 0);
+	std::vector<FacePair> expected;
+	wanted[std::size_t(one.second)] = 1;
+	for (const FacePair& pair : pairs) {
+		if (pair.first == one.second || pair.second == one.second) expected.push_back(pair);
+	}
+	ASSERT_LT(expected.size(), pairs.size());
+	EXPECT_EQ(contacts.othersIn(result, wanted, workers), expected);
+}
+
 /// Along cuts of the input, both sides have separate vertices at the same places.
 TEST(InputContacts, AreFoundAlongCuts)
 {
