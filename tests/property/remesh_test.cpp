@@ -190,6 +190,27 @@ TEST(RemeshOptionsMean, AnEdgeLengthIsTheResultsMean)
 	}
 }
 
+/// Borders have half as many faces at each vertex.
+TEST(RemeshOptionsMean, AnEdgeLengthIsTheMeanOnSheetsToo)
+{
+	for (const double wanted : {0.25, 0.5, 1.0}) {
+		TriangleMesh sheet = grid(40, 40);
+		for (Vec3d& p : sheet.positions)
+			p = {10 * p.x, 4 * p.y, 0};
+		RemeshOptions options       = percentOptions(10);
+		options.targetMode          = TargetMode::EdgeLength;
+		options.targetEdgeLen       = wanted;
+		const RemeshResult byLength = remesh(sheet.view(), options);
+		ASSERT_EQ(byLength.status, Status::Ok) << byLength.message;
+		EXPECT_NEAR(byLength.report.quality.meanEdgeLen, wanted, 0.04 * wanted);
+		options.targetMode         = TargetMode::Sizes;
+		options.maxEdge            = wanted;
+		const RemeshResult bySizes = remesh(sheet.view(), options);
+		ASSERT_EQ(bySizes.status, Status::Ok) << bySizes.message;
+		EXPECT_NEAR(bySizes.report.quality.meanEdgeLen, wanted, 0.04 * wanted);
+	}
+}
+
 TEST(RemeshOptionsMean, WithThePaperTheNumberLandsNear)
 {
 	RemeshOptions options = percentOptions(20);

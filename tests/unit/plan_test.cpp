@@ -69,9 +69,11 @@ public:
 	{
 	}
 
-	std::int64_t                                     keptNum   = 0;
-	std::int64_t                                     euler     = 2; ///< of a surface without border
-	std::int64_t                                     countStep = 1; ///< of vertices
+	std::int64_t keptNum      = 0;
+	std::int64_t euler        = 2; ///< of a surface without border
+	std::int64_t countStep    = 1; ///< of vertices
+	double       borderLength = 0;
+	SizeFacts    ofSizes; ///< vertexNum and borderEdgeNum, with sizes in mesh units
 	std::function<LineFacts(const Decisions&)>       lines;
 	std::function<SampleFacts(const Decisions&)>     samples;
 	std::function<RelaxationFacts(const Decisions&)> mesh;
@@ -116,7 +118,10 @@ private:
 	SizeFacts sizesOf(const Decisions& d) const
 	{
 		SizeFacts facts{keptNum, euler};
-		facts.countStep = d.faceNum > 0 ? 2 : countStep;
+		facts.countStep     = d.faceNum > 0 ? 2 : countStep;
+		facts.borderLength  = borderLength;
+		facts.vertexNum     = ofSizes.vertexNum;
+		facts.borderEdgeNum = ofSizes.borderEdgeNum;
 		return facts;
 	}
 
@@ -253,6 +258,35 @@ TEST(Plan, MakesAsManyVerticesAsTheFacesNeed)
 	PlannedRun handles(faces(1000));
 	handles.euler = -200;
 	EXPECT_EQ(handles.go().numOf(Step::Input), 2) << "edges are split for other sizes";
+}
+
+/// F = 2 V - 2 χ - B: half the faces, half the border vertices and the Euler characteristic.
+TEST(Plan, MakesAsManyVerticesAsAnEdgeLengthNeedsAtTheBorder)
+{
+	RemeshOptions options;
+	options.targetMode = TargetMode::EdgeLength;
+	options.targetEdgeLen =
+		std::sqrt(4 / std::sqrt(3.0) / 1000); // a thousand faces on an area of 1
+	for (const int onBorder : {0, 100}) {
+		PlannedRun run(options);
+		run.euler        = 1;
+		run.borderLength = onBorder * options.targetEdgeLen;
+		EXPECT_TRUE(run.go().isTaken());
+		EXPECT_EQ(run.decisions().vertexNum, 501 + onBorder / 2);
+	}
+	options.preset = Preset::Paper;
+	PlannedRun paper(options);
+	paper.borderLength = 100 * options.targetEdgeLen;
+	EXPECT_EQ(paper.go().decisions().vertexNum, 500) << "as published";
+
+	options            = RemeshOptions();
+	options.targetMode = TargetMode::Sizes;
+	options.maxEdge    = 1;
+	PlannedRun sizes(options);
+	sizes.euler                 = 1;
+	sizes.ofSizes.vertexNum     = 300;
+	sizes.ofSizes.borderEdgeNum = 80;
+	EXPECT_EQ(sizes.go().decisions().vertexNum, 341);
 }
 
 TEST(Plan, NamesTheTwoEvenNumbersBesideAnOddOneOfAClosedSurface)

@@ -286,13 +286,14 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 	return figures;
 }
 
-double borderLength(const HalfEdgeMesh& m)
+double borderLength(const HalfEdgeMesh& m, const Buffer<float>& size)
 {
-	double sum = 0;
+	const auto sizeAt = [&](int v) { return size.empty() ? 1.0 : double(size[v]); };
+	double     sum    = 0;
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
 		const int a = m.origin[h], b = m.target(h);
 		if (m.isBorderEdge(h) && !(m.isOnMirror(a) && m.isOnMirror(b)))
-			sum += double(length(m.position[b] - m.position[a]));
+			sum += 2 * double(length(m.position[b] - m.position[a])) / (sizeAt(a) + sizeAt(b));
 	}
 	return sum * m.sideNum();
 }

@@ -29,8 +29,9 @@ std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers);
 /// parallel.
 MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);
 
-/// Total length of the border, in mesh units. Cost: a pass over the half-edges.
-double borderLength(const HalfEdgeMesh& mesh);
+/// Total length of the border, in mesh units. size: per vertex, a factor on the unit there; empty:
+/// 1 everywhere. Cost: a pass over the half-edges.
+double borderLength(const HalfEdgeMesh& mesh, const Buffer<float>& size = {});
 
 /// Number of degenerate faces. Cost: a parallel pass.
 std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);

@@ -230,20 +230,43 @@ std::int64_t Plan::possible(std::int64_t num) const
 	return std::max(attempts_.countStep, num - num % attempts_.countStep);
 }
 
-/// F = 2 V - 2 χ - B, with B vertices on the border. Border edges are as long as all other edges.
-void Plan::forecastVertices(const SizeFacts& facts)
+/// F = 2 V - 2 χ - B, with B vertices on the border.
+std::int64_t Plan::verticesOf(double faceNum, double onBorder) const
 {
-	constexpr int rounds    = 4; // B depends on the edge length, and the edge length on V
-	double        vertexNum = double(decisions_.vertexNum);
-	decisions_.faceNum      = possible(decisions_.faceNum);
-	for (int round = 0; round < rounds; ++round) {
-		const double onBorder =
-			facts.borderLength / double(evenEdge(attempts_.area, std::int64_t(vertexNum)));
-		vertexNum = 0.5 * (double(decisions_.faceNum) + onBorder) + double(facts.euler);
-		vertexNum = std::max(1.0, std::round(vertexNum));
-	}
-	decisions_.vertexNum = std::int64_t(vertexNum);
+	const double num = std::round(0.5 * (faceNum + onBorder) + double(attempts_.euler));
+	return std::int64_t(std::clamp(num, 1.0, maxResultVertices));
+}
+
+/// The number of border edges that are as long as the edges of vertexNum vertices on the area.
+double Plan::borderEdgeNum(std::int64_t vertexNum) const
+{
+	return attempts_.borderLength / double(evenEdge(attempts_.area, vertexNum));
+}
+
+void Plan::forecastVertices()
+{
+	constexpr int rounds = 4; // B depends on the edge length, and the edge length on V
+	decisions_.faceNum   = possible(decisions_.faceNum);
+	for (int round = 0; round < rounds; ++round)
+		decisions_.vertexNum =
+			verticesOf(double(decisions_.faceNum), borderEdgeNum(decisions_.vertexNum));
 	if (isPaper(request_.options)) decisions_.faceNum = 0; // reaches no exact count
+}
+
+/// A count by an edge length or by sizes is at first half the number of faces: right without a
+/// border, and with the Euler characteristic 0.
+void Plan::addBorder(const SizeFacts& facts)
+{
+	const bool isByLength =
+		request_.options.targetMode == TargetMode::EdgeLength && !attempts_.isCountChosen;
+	if (facts.vertexNum > 0)
+		decisions_.vertexNum = verticesOf(2 * facts.vertexNum, facts.borderEdgeNum);
+	else if (isByLength && !isPaper(request_.options))
+		decisions_.vertexNum =
+			verticesOf(2 * double(decisions_.vertexNum), borderEdgeNum(decisions_.vertexNum));
+	else
+		return;
+	decisions_.vertexNum = std::max<std::int64_t>(decisions_.vertexNum, 4);
 }
 
 std::string Plan::judge(const InputFacts& facts)
@@ -268,21 +291,21 @@ std::string Plan::judge(const SurfaceFacts& facts)
 
 std::string Plan::judge(const SizeFacts& facts)
 {
-	const bool isFirst    = attempts_.keptNum < 0;
-	attempts_.keptNum     = facts.keptNum;
-	attempts_.followLines = facts.followLines;
-	attempts_.countStep   = facts.countStep;
+	const bool isFirst     = attempts_.keptNum < 0;
+	attempts_.keptNum      = facts.keptNum;
+	attempts_.followLines  = facts.followLines;
+	attempts_.countStep    = facts.countStep;
+	attempts_.euler        = facts.euler;
+	attempts_.borderLength = facts.borderLength;
 	goOn();
 	if (!isFirst) return "";
 	const std::int64_t before = decisions_.vertexNum;
-	if (decisions_.faceNum > 0) forecastVertices(facts);
-	if (facts.vertexNum > 0)
-		decisions_.vertexNum =
-			std::int64_t(std::clamp(std::round(facts.vertexNum), 4.0, maxResultVertices));
+	if (decisions_.faceNum > 0) forecastVertices();
+	addBorder(facts);
 	attempts_.asked = decisions_.vertexNum;
 	if (decisions_.faceNum == 0) decisions_.vertexNum = possible(decisions_.vertexNum);
 	if (facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples)
-		return makeRoom(facts.euler);
+		return makeRoom();
 	attempts_.isCountChosen =
 		attempts_.isCountChosen || decisions_.vertexNum != before || decisions_.faceNum > 0;
 	const bool isFar = 10 * std::abs(decisions_.vertexNum - before) > before;
@@ -291,12 +314,12 @@ std::string Plan::judge(const SizeFacts& facts)
 
 /// If the target is a wish, raises the count for a border with vertices to be kept, so that
 /// vertices are left for the surface between them. Else refuses.
-std::string Plan::makeRoom(std::int64_t euler)
+std::string Plan::makeRoom()
 {
 	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
 	const bool mayRaise    = keepsBorder && isWish() && decisions_.purpose != Purpose::SamplesOnly;
 	if (keepsBorder && decisions_.faceNum > 0 && !mayRaise) {
-		const std::int64_t faceNum = 2 * (attempts_.keptNum - euler);
+		const std::int64_t faceNum = 2 * (attempts_.keptNum - attempts_.euler);
 		refuse("The border has " + text(attempts_.keptNum) +
 				   " vertices to be kept, which needs more than " + asked() + ".",
 			   attempts_.keptNum, std::max<std::int64_t>(1, faceNum));
@@ -321,7 +344,8 @@ std::string Plan::makeRoom(std::int64_t euler)
 std::string Plan::judge(const ForecastFacts& facts)
 {
 	if (request_.options.targetMode == TargetMode::Detail) {
-		beginRun(Purpose::Answer, facts.vertexNum);
+		beginRun(Purpose::Answer,
+				 verticesOf(2 * double(facts.vertexNum), borderEdgeNum(facts.vertexNum)));
 		return "";
 	}
 	ErrorGoal goal = *request_.goal;

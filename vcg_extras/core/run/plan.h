@@ -99,8 +99,10 @@ struct SizeFacts {
 	std::int64_t keptNum      = 0; ///< vertices of the input that must stay
 	std::int64_t euler        = 0; ///< Euler characteristic; of two halves: of both before joining
 	double       borderLength = 0; ///< working units
-	double       vertexNum    = 0; ///< count for sizes in mesh units; 0: no such sizes
-	bool         followLines  = false; ///< sizes follow the error on both sides of feature lines
+	/// Half the number of faces for sizes in mesh units, and the number of border edges; 0: no such
+	/// sizes.
+	double vertexNum = 0, borderEdgeNum = 0;
+	bool   followLines = false; ///< sizes follow the error on both sides of feature lines
 	/// Possible counts, of faces if faces are counted, are multiples of this number.
 	std::int64_t countStep = 1;
 };
@@ -264,6 +266,8 @@ private:
 		std::int64_t keptNum       = -1;    ///< vertices of the input that must stay; -1: not known
 		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
 		bool         followLines   = false; ///< see SizeFacts
+		std::int64_t euler         = 0;     ///< see SizeFacts
+		double       borderLength  = 0;     ///< see SizeFacts
 		std::int64_t countStep     = 1;     ///< see SizeFacts
 		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
 		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
@@ -309,8 +313,11 @@ private:
 
 	void              resolveCount(const InputFacts& facts);
 	std::int64_t      possible(std::int64_t num) const;
-	void              forecastVertices(const SizeFacts& facts);
-	std::string       makeRoom(std::int64_t euler);
+	std::int64_t      verticesOf(double faceNum, double onBorder) const;
+	double            borderEdgeNum(std::int64_t vertexNum) const;
+	void              forecastVertices();
+	void              addBorder(const SizeFacts& facts);
+	std::string       makeRoom();
 	float             correctedRadius(const SampleFacts& facts) const;
 	std::string       withoutFeatureLines(const std::string& fault);
 	std::string       withRaggedBorder();

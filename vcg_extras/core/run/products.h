@@ -46,12 +46,12 @@ struct WorkingSurface : Surface {
 struct Sizes {
 	double radiusFactor = 1;     ///< largest disk radius over the radius of eq. (1): see Sizing
 	std::optional<double> adapt; ///< adaptivity in force; 0: even sizes; none: not known yet
-	Buffer<char>          isFeatureVertex;         ///< of the feature region; empty: no region
-	std::vector<int>      kept;                    ///< vertices of the input that must stay
-	std::int64_t          regionVertexNum = 0;     ///< vertices of the input in the region
-	double                vertexNum       = 0;     ///< count for the sizes, with TargetMode::Sizes
-	std::int64_t          clampedNum      = 0;     ///< see Sizing
-	bool                  followLines     = false; ///< see SizeFacts
+	Buffer<char>          isFeatureVertex;     ///< of the feature region; empty: no region
+	std::vector<int>      kept;                ///< vertices of the input that must stay
+	std::int64_t          regionVertexNum = 0; ///< vertices of the input in the region
+	double                vertexNum = 0, borderEdgeNum = 0; ///< see Sizing
+	std::int64_t          clampedNum  = 0;                  ///< see Sizing
+	bool                  followLines = false;              ///< see SizeFacts
 };
 
 /// The feature lines of the working surface, and the samples on feature lines and borders.

@@ -241,10 +241,11 @@ void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 	Sizing sizing = findSizes(run, decisions, made);
 	made.surface.ring.release();
 	if (sizing.size.empty()) return;
-	made.surface.size       = std::move(sizing.size);
-	made.sizes.radiusFactor = sizing.radiusFactor;
-	made.sizes.clampedNum   = sizing.clampedNum;
-	made.sizes.vertexNum    = sizing.vertexNum;
+	made.surface.size        = std::move(sizing.size);
+	made.sizes.radiusFactor  = sizing.radiusFactor;
+	made.sizes.clampedNum    = sizing.clampedNum;
+	made.sizes.vertexNum     = sizing.vertexNum;
+	made.sizes.borderEdgeNum = sizing.borderEdgeNum;
 	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
 	splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);
@@ -262,18 +263,26 @@ std::int64_t countStep(const WorkingSurface& surface, bool countsFaces)
 	return 2;
 }
 
+/// Whether the number of vertices follows from the number or the size of the triangles.
+bool countsTriangles(TargetMode mode)
+{
+	return mode == TargetMode::FaceNum || mode == TargetMode::EdgeLength ||
+		   mode == TargetMode::Detail;
+}
+
 /// The facts about the whole mesh.
-SizeFacts factsOf(const Products& made, bool countsFaces)
+SizeFacts factsOf(const RunContext& run, const Decisions& decisions, const Products& made)
 {
 	const HalfEdgeMesh& m = made.surface.mesh;
 	SizeFacts           facts;
 	for (int v : made.sizes.kept)
 		facts.keptNum += m.multiplicity(m.position[v]);
-	facts.euler        = m.sideNum() * made.surface.figures.eulerCharacteristic;
-	facts.borderLength = countsFaces ? borderLength(m) : 0;
-	facts.vertexNum    = made.sizes.vertexNum;
-	facts.followLines  = made.sizes.followLines;
-	facts.countStep    = countStep(made.surface, countsFaces);
+	facts.euler = m.sideNum() * made.surface.figures.eulerCharacteristic;
+	if (countsTriangles(run.options.targetMode)) facts.borderLength = borderLength(m);
+	facts.vertexNum     = made.sizes.vertexNum;
+	facts.borderEdgeNum = made.sizes.borderEdgeNum;
+	facts.followLines   = made.sizes.followLines;
+	facts.countStep     = countStep(made.surface, decisions.faceNum > 0);
 	return facts;
 }
 
@@ -284,7 +293,7 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, Products& made)
 	setSizes(run, decisions, made);
 	countInput(run, made.surface);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
-	return factsOf(made, decisions.faceNum > 0);
+	return factsOf(run, decisions, made);
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>
@@ -348,6 +349,7 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		const double area = surface.mesh.sideNum() * surfaceArea(surface.mesh, workers);
 		sizing.vertexNum  = vertexNumForEdgeLength(area, request.evenEdge) *
 						   meanSquaredStretch(surface, sizing.size, workers);
+		sizing.borderEdgeNum = borderLength(surface.mesh, sizing.size) / double(request.evenEdge);
 	}
 	const float largest = normalise(workers, sizing.size);
 	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");

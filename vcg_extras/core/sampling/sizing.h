@@ -18,10 +18,12 @@ namespace gpr {
 /// The local sizes: for every vertex of the surface its disk radius over the largest disk radius,
 /// in (0, 1].
 struct Sizing {
-	Buffer<float> size;                      ///< empty: the same everywhere
-	double        radiusFactor = 1;          ///< largest disk radius over the radius of eq. (1)
-	float  longestEdge = longestEdgeInRadii; ///< longest edge of the surface, in local disk radii
-	double vertexNum   = 0;                  ///< with TargetMode::Sizes: the count for the sizes
+	Buffer<float> size;                     ///< empty: the same everywhere
+	double        radiusFactor = 1;         ///< largest disk radius over the radius of eq. (1)
+	float longestEdge = longestEdgeInRadii; ///< longest edge of the surface, in local disk radii
+	/// With TargetMode::Sizes: half the number of faces for the sizes, and the number of border
+	/// edges.
+	double       vertexNum = 0, borderEdgeNum = 0;
 	std::int64_t clampedNum = 0; ///< equations as printed: vertices with 1 + λH below 0.1
 };
 
