@@ -450,7 +450,7 @@ MUTANTS = [
     ("a raised wish of few vertices is meshed anew", "run/plan.cpp",
      "smallest.vertexNum && smallest.vertexNum > fewVertices)", "smallest.vertexNum)"),
     ("faces: handles are forgotten", "run/plan.cpp",
-     "+ double(facts.euler);", ";"),
+     "+ double(attempts_.euler));", ");"),
     ("faces: the border decides on an odd number", "optimization/exact_count.cpp",
      "if ((wanted_ - num_) % innerStep_ != 0) changeBorderByOne();", ""),
     ("lines known before the sizes", "run/surface_stages.cpp",

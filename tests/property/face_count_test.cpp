@@ -137,7 +137,7 @@ TEST(FaceCountOfABorderThatIsKept, HasTheParityOfTheBorder)
 	RemeshOptions      options = faceOptions(501);
 	options.boundary           = BoundaryMode::Keep;
 	const RemeshResult refused = remesh(mesh.view(), options);
-	EXPECT_EQ(refused.status, Status::BadOptions);
+	EXPECT_EQ(refused.status, Status::PromiseBroken);
 	EXPECT_NE(refused.message.find("found are 500 and 502"), std::string::npos) << refused.message;
 	expectExactly({"grid", mesh, false}, 500, [&] {
 		options.targetFaceNum = 500;

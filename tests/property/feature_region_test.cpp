@@ -274,8 +274,8 @@ TEST(KeptVertices, MoreThanWantedIsRefused)
 {
 	const TriangleMesh mesh = cube(12);
 	const RemeshResult r    = remesh(mesh.view(), withKeptRegion(100));
-	EXPECT_EQ(r.status, Status::BadOptions);
-	EXPECT_NE(r.message.find("more than the 100"), std::string::npos) << r.message;
+	EXPECT_EQ(r.status, Status::CountTooSmall);
+	EXPECT_NE(r.message.find("more than 100"), std::string::npos) << r.message;
 }
 
 /// All of the input's vertices, and hardly any.

@@ -178,7 +178,7 @@ TEST(Symmetry, OpenSurfacesGetTheirCounts)
 	EXPECT_EQ(int(remeshed(mesh, faces).mesh.faceNum()), 300);
 	faces.targetFaceNum        = 301;
 	const RemeshResult refused = remesh(mesh.view(), faces);
-	EXPECT_EQ(refused.status, Status::BadOptions);
+	EXPECT_EQ(refused.status, Status::PromiseBroken);
 	EXPECT_NE(refused.message.find("300 and 302"), std::string::npos) << refused.message;
 }
 
@@ -268,7 +268,7 @@ TEST(Symmetry, HalvesThatDoNotTouchThePlaneAreTwo)
 	EXPECT_EQ(int(result.mesh.vertexNum()), 24);
 	expectSymmetric(result.mesh, 0, 0);
 	const RemeshResult odd = remesh(mesh.view(), symmetric(Symmetry::X, 25));
-	EXPECT_EQ(odd.status, Status::BadOptions);
+	EXPECT_EQ(odd.status, Status::PromiseBroken);
 	EXPECT_NE(odd.message.find("24 and 26"), std::string::npos) << odd.message;
 }
 

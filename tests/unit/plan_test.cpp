@@ -293,7 +293,7 @@ TEST(Plan, NamesTheTwoEvenNumbersBesideAnOddOneOfAClosedSurface)
 {
 	const PlannedRun run = PlannedRun(faces(1001)).go();
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->status, Status::BadOptions);
+	EXPECT_EQ(run.failure->status, Status::PromiseBroken);
 	EXPECT_TRUE(run.says("1001 faces; the nearest possible numbers found are 1000 and 1002"));
 
 	RemeshOptions nearest = faces(1001);
@@ -310,7 +310,7 @@ TEST(Plan, CountsOfTwoHalvesAreEven)
 	PlannedRun ordered(order(501));
 	ordered.countStep = 2;
 	EXPECT_FALSE(ordered.go().isTaken());
-	EXPECT_EQ(ordered.failure->status, Status::BadOptions);
+	EXPECT_EQ(ordered.failure->status, Status::PromiseBroken);
 	EXPECT_TRUE(ordered.says("500 and 502"));
 	PlannedRun wished(wish(501));
 	wished.countStep = 2;
@@ -364,7 +364,7 @@ TEST(Plan, RefusesACountBelowTheKeptVertices)
 		run.keptNum = 100;
 		run.go();
 		ASSERT_TRUE(run.failure);
-		EXPECT_EQ(run.failure->status, Status::BadOptions);
+		EXPECT_EQ(run.failure->status, Status::CountTooSmall);
 	}
 }
 
@@ -690,12 +690,26 @@ TEST(Plan, RefusesACountThatHasContacts)
 	PlannedRun run(order(500));
 	run.contacts = [](const Decisions& d) {
 		EXPECT_FALSE(d.mayEndAbove);
-		return ContactFacts{500, 520, true};
+		return ContactFacts{d.vertexNum, 520, d.vertexNum < 520};
 	};
 	run.go();
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->smallestVertexNum, 520);
-	EXPECT_EQ(run.numOf(Step::Region), 1) << "among many vertices the count named is not tried";
+	EXPECT_EQ(run.numOf(Step::Region), 2) << "the count named is tried";
+}
+
+/// The count named has contacts itself.
+TEST(Plan, NamesACountThatWasMade)
+{
+	PlannedRun run(order(500));
+	run.contacts = [](const Decisions& d) {
+		return ContactFacts{d.vertexNum, d.vertexNum < 520 ? 520 : 600, d.vertexNum < 600};
+	};
+	run.go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 600);
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 520, 600}));
+	EXPECT_TRUE(run.says("found without self-intersections is 600"));
 }
 
 namespace {

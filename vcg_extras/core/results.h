@@ -18,8 +18,10 @@ enum class Status {
 	BadOptions,    ///< an option out of range
 	UnusableInput, ///< no usable face, indices out of range, no area, ...
 	CountTooSmall, ///< the topology needs more vertices: smallestVertexNum
-	PromiseBroken, ///< the result failed the audit (report.audit), or no mesh met the error bound
-	OutOfMemory,   ///< an allocation failed, or the forecast need is above the memory
+	/// The result failed the audit (report.audit), no mesh met the error bound, or the surface has
+	/// no mesh with this number of faces or vertices, but with the numbers below and above.
+	PromiseBroken,
+	OutOfMemory, ///< an allocation failed, or the forecast need is above the memory
 	Cancelled,
 	OutOfTime, ///< after RemeshOptions::timeLimitSeconds
 	InternalError,

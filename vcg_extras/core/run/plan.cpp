@@ -14,7 +14,7 @@ namespace gpr {
 namespace {
 
 /// Above this number of vertices, a few more vertices do not change whether every triangle has an
-/// area. A refusal names counts up to this number only after a test of the count.
+/// area.
 constexpr std::int64_t fewVertices = 64;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
@@ -29,9 +29,9 @@ std::int64_t quarterMore(std::int64_t vertexNum)
 	return vertexNum + std::max<std::int64_t>(1, vertexNum / 4);
 }
 
-/// With a target of faces, larger numbers are tested, too: up to this number of faces, and with at
-/// most this number of attempts.
-constexpr std::int64_t mostTriedFaces = 20000;
+/// A refusal names counts up to these numbers only after a test of the count, with at most this
+/// number of attempts.
+constexpr std::int64_t mostTriedVertices = 10000, mostTriedFaces = 20000;
 constexpr int          maxTriedCounts = 16;
 
 /// The next face count to try after a failure, with the same parity.
@@ -312,27 +312,29 @@ std::string Plan::judge(const SizeFacts& facts)
 	return isFar && mayReturn() ? returnTo(Step::Input) : "";
 }
 
-/// If the target is a wish, raises the count for a border with vertices to be kept, so that
-/// vertices are left for the surface between them. Else refuses.
+/// The owner of the vertices to be kept, for a sentence.
+std::string Plan::keeper() const
+{
+	if (request_.options.boundary == BoundaryMode::Keep) return "The border has ";
+	return keepsJunctions(request_.options) ? "The junctions have " : "The feature region has ";
+}
+
+/// If the target is a wish, raises the count for a border or junctions with vertices to be kept, so
+/// that vertices are left for the surface between them. Else refuses.
 std::string Plan::makeRoom()
 {
-	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
-	const bool mayRaise    = keepsBorder && isWish() && decisions_.purpose != Purpose::SamplesOnly;
-	if (keepsBorder && decisions_.faceNum > 0 && !mayRaise) {
-		const std::int64_t faceNum = 2 * (attempts_.keptNum - attempts_.euler);
-		refuse("The border has " + text(attempts_.keptNum) +
-				   " vertices to be kept, which needs more than " + asked() + ".",
-			   attempts_.keptNum, std::max<std::int64_t>(1, faceNum));
-	}
+	const bool isRegion =
+		request_.options.boundary != BoundaryMode::Keep && !keepsJunctions(request_.options);
+	const bool mayRaise = !isRegion && isWish() && decisions_.purpose != Purpose::SamplesOnly;
 	if (!mayRaise || !mayReturn()) {
-		throw Failure(Status::BadOptions,
-					  std::string("The ") + (keepsBorder ? "border has " : "feature region has ") +
-						  text(attempts_.keptNum) + " vertices to be kept, more than the " +
-						  text(attempts_.asked) + " vertices of the result; ask for more vertices" +
-						  (keepsBorder ? "" : ", or give a feature disk scale") + ".");
+		const std::int64_t faceNum = 2 * (attempts_.keptNum - attempts_.euler);
+		refuse(keeper() + text(attempts_.keptNum) + " vertices to be kept, more than " + asked() +
+				   " allow; ask for more" + (isRegion ? ", or give a feature disk scale" : "") +
+				   ".",
+			   attempts_.keptNum, decisions_.faceNum > 0 ? std::max<std::int64_t>(1, faceNum) : 0);
 	}
 	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
-	const std::string  note   = "The border has " + text(attempts_.keptNum) +
+	const std::string  note   = keeper() + text(attempts_.keptNum) +
 							 " vertices to be kept, so the wanted number was raised from " +
 							 text(attempts_.asked) + " to " + text(raised) + " vertices.";
 	attempts_.isCountChosen = true;
@@ -464,7 +466,7 @@ void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
 /// Refuses a count that is no multiple of the step: no vertex may enter or leave the border.
 void Plan::refuseParity(std::int64_t lower) const
 {
-	throw Failure(Status::BadOptions,
+	throw Failure(Status::PromiseBroken,
 				  "The surface cannot be meshed with " + asked() +
 					  "; the nearest possible numbers are " + text(lower) + " and " +
 					  text(lower + attempts_.nextStep()) + ".",
@@ -649,6 +651,7 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
 	const std::string  fault =
 		"With " + asked() + " sheets that meet in junctions would intersect each other";
+	attempts_.separatedFrom = first;
 	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
 		refuse(fault + "; smaller triangles there, or about " + counted(next, faceNum) +
 				   ", are needed.",
@@ -659,7 +662,6 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 	decisions_.addedNum                    = 0;
 	attempts_.isRaised                     = true;
 	attempts_.refinementNum                = 0;
-	attempts_.separatedFrom                = first;
 	return tryAgain(isFirst ? fault + ", so the result has more triangles." : "");
 }
 
@@ -778,8 +780,10 @@ void Plan::judge(const Failure& failure)
 /// Begins a mesh with a count, of faces if faces are counted.
 void Plan::tryToHave(std::int64_t num)
 {
-	const bool mayTry =
-		asksForFaces() ? num <= mostTriedFaces && triedNum_ < maxTriedCounts : num <= fewVertices;
+	// More vertices do not help sheets at one place, so a count for sheets is no promise.
+	const std::int64_t mostVertices = attempts_.separatedFrom > 0 ? fewVertices : mostTriedVertices;
+	const bool         mayTry =
+		num <= (asksForFaces() ? mostTriedFaces : mostVertices) && triedNum_ < maxTriedCounts;
 	if (num <= 0 || !mayTry || !mayReturn()) throw refusalAtLast();
 	isBest_ = false;
 	++triedNum_;

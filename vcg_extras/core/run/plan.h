@@ -193,7 +193,7 @@ struct Request {
 ///     error above the bound at single places       moves and vertices there,
 ///                                                    3 times      Contacts
 ///     error above the bound, or far below it       another count, 5 trials      Region
-///     refused at up to 64 vertices                 test of the count in the
+///     refused                                      test of the count in the
 ///                                                    refusal                    Region
 ///
 /// With a target of faces all rules compare face counts. A closed surface has no odd number of
@@ -317,6 +317,7 @@ private:
 	double            borderEdgeNum(std::int64_t vertexNum) const;
 	void              forecastVertices();
 	void              addBorder(const SizeFacts& facts);
+	std::string       keeper() const;
 	std::string       makeRoom();
 	float             correctedRadius(const SampleFacts& facts) const;
 	std::string       withoutFeatureLines(const std::string& fault);
