@@ -4,12 +4,12 @@
 #define VCG_EXTRAS_CORE_MESH_FACE_PAIRS_H
 
 #include "face_boxes.h"
-#include "face_contact.h"
 
 #include <vcg_extras/core/base/workers.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace gpr {
@@ -18,6 +18,8 @@ namespace gpr {
 /// tree together, for speed.
 class FacePairs {
 public:
+	using Pair = std::pair<int, int>; ///< two faces, the smaller first
+
 	/// wanted: per face, whether to search its pairs; empty: all faces. Both arguments must outlive
 	/// this.
 	FacePairs(const FaceBoxes& boxes, const std::vector<char>& wanted) :
@@ -35,10 +37,10 @@ public:
 	/// because thousands of faces at one place have millions of pairs: the list then lacks pairs,
 	/// but is not empty. Cost: O(F log F), parallel.
 	template <class Test>
-	std::vector<FacePair> collect(Workers& workers, Extent extent, const Test& doMeet) const
+	std::vector<Pair> collect(Workers& workers, Extent extent, const Test& doMeet) const
 	{
 		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		return workers.collectEach<FacePair>(groupNum, [&](int group, auto& out) {
+		return workers.collectEach<Pair>(groupNum, [&](int group, auto& out) {
 			if (isGroupWanted(group)) searchGroup(group, extent, doMeet, out);
 		});
 	}
@@ -96,7 +98,7 @@ private:
 
 	/// Compares the wanted faces of a group with all faces in reach.
 	template <class Test>
-	void searchGroup(int group, Extent extent, const Test& doMeet, std::vector<FacePair>& out) const
+	void searchGroup(int group, Extent extent, const Test& doMeet, std::vector<Pair>& out) const
 	{
 		Marks             inPair = 0;
 		const Box<float>& box    = boxes_.level(groupLevel)[group];
@@ -124,7 +126,7 @@ private:
 	/// inPair: the faces of the group in a pair so far.
 	template <class Test>
 	void compareGroups(int group, int other, Extent extent, const Test& doMeet, Marks& inPair,
-					   std::vector<FacePair>& out) const
+					   std::vector<Pair>& out) const
 	{
 		const int        endI   = std::min(boxes_.faceNum(), (group + 1) * groupSize);
 		const int        beginK = other * groupSize;
