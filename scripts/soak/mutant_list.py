@@ -458,7 +458,7 @@ MUTANTS = [
     ("counts of cleaning", "input/cleaning.cpp",
      "counts = CleanCounts(); // an earlier attempt may have counted", ""),
     ("edges too long for small sizes", "run/surface_stages.cpp",
-     "splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);", ""),
+     "splitForSizes(run, made.sizes.longestEdge * radius, decisions.spacedFor(), made);", ""),
     ("refinement: order of space", "input/surface_refinement.cpp",
      "inserts.push_back({firstOf(m_.vertexNum, isBehind), v.second});", "inserts.push_back({0, v.second});"),
     ("seam of a selection", "output/part_joining.cpp",
