@@ -17,7 +17,8 @@ namespace gpr {
 constexpr float samePlace = 1e-6f;
 
 /// Whether a comes before b, by x, y, z.
-inline bool isBefore(const Vec3f& a, const Vec3f& b)
+template <class S>
+bool isBefore(const Vec3<S>& a, const Vec3<S>& b)
 {
 	if (a.x != b.x) return a.x < b.x;
 	return a.y != b.y ? a.y < b.y : a.z < b.z;
