@@ -363,7 +363,8 @@ private:
 	{
 		const Sample sample{place.point, m_.faceNormal(place.point.face), place.size};
 		flood_.explore(sample);
-		const int tooNear = findTooNear(sample, isUncovered);
+		const int tooNear =
+			findTooNear(flood_.metSamples(), shared_.samples, sample, nearLimit_, isUncovered);
 		if (tooNear >= 0) {
 			if (isUncovered) cover(place.point, tooNear);
 			return;
@@ -372,20 +373,6 @@ private:
 		shared_.samples[s] = sample;
 		flood_.commit(s);
 		extendFront(s);
-	}
-
-	/// A sample met by the flood and nearer than the spacing, or -1. For a vertex that must get a
-	/// sample only samples that face the same way count: through space, the other side of a thin
-	/// sheet is near too.
-	int findTooNear(const Sample& sample, bool sameSideOnly) const
-	{
-		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
-		for (int t : flood_.metSamples()) {
-			if (!isTooNear(sample.point.position, sample.size, t)) continue;
-			const float cosine = dot(sample.normal, shared_.samples[t].normal);
-			if (!sameSideOnly || cosine >= sameSideCosine) return t;
-		}
-		return -1;
 	}
 
 	void cover(const SurfacePoint& place, int sample)
@@ -597,15 +584,7 @@ std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& p
 	// Faces are ordered by their first corner, so the faces of a block are consecutive.
 	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
 		const auto firstFaceFrom = [&](int vertex) {
-			int low = 0, high = m.faceNum;
-			while (low < high) {
-				const int middle = low + (high - low) / 2;
-				if (m.origin[3 * middle] < vertex)
-					low = middle + 1;
-				else
-					high = middle;
-			}
-			return low;
+			return firstOf(m.faceNum, [&](int f) { return m.origin[3 * f] >= vertex; });
 		};
 		double    room = spareRoom;
 		const int end  = firstFaceFrom(partition.blocks[b].end);
