@@ -612,6 +612,24 @@ private:
 	}
 };
 
+/// The edges of the feature lines connected to v. seen: per vertex.
+std::vector<int> lineAt(const HalfEdgeMesh& m, int v, std::vector<char>& seen)
+{
+	std::vector<int> line, front = {v};
+	seen[v] = 1;
+	for (std::size_t i = 0; i < front.size(); ++i) {
+		forEachOutgoing(m, front[i], [&](int h) {
+			if (!m.isCreaseEdge(h)) return;
+			if (m.opposite[h] > h) line.push_back(h);
+			const int w = m.target(h);
+			if (seen[w]) return;
+			seen[w] = 1;
+			front.push_back(w);
+		});
+	}
+	return line;
+}
+
 void addSizes(const Surface& surface, Curve& c)
 {
 	if (surface.size.empty()) return;
@@ -634,6 +652,16 @@ int nextOnCrease(const HalfEdgeMesh& m, int h)
 		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
 	});
 	return next;
+}
+
+std::vector<std::vector<int>> connectedLines(const HalfEdgeMesh& m, const std::vector<int>& edges)
+{
+	std::vector<std::vector<int>> lines;
+	std::vector<char>             seen(std::size_t(m.vertexNum), 0);
+	for (int h : edges) {
+		if (!seen[m.origin[h]]) lines.push_back(lineAt(m, m.origin[h], seen));
+	}
+	return lines;
 }
 
 /// Border loops; then feature lines from node to node, then closed feature lines; each in the order

@@ -75,8 +75,6 @@ private:
 	Buffer<float>            dihedral_;  ///< per half-edge, degrees
 	std::vector<int>         marked_;    ///< one half of each marked edge, ascending at first
 
-	bool isFirstHalf(int h) const { return m_.opposite[h] > h; }
-
 	// ---- strength
 
 	void measure()
@@ -116,8 +114,8 @@ private:
 		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
 			m_.crease[h] = m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
 		});
-		marked_ = workers_.collectIf(m_.halfEdgeNum(),
-									 [&](int h) { return m_.isCreaseEdge(h) && isFirstHalf(h); });
+		marked_ = workers_.collectIf(
+			m_.halfEdgeNum(), [&](int h) { return m_.isCreaseEdge(h) && m_.opposite[h] > h; });
 	}
 
 	/// Whether h is a crease of the mesh, sharper than weakDeg and the sharpest across. If the
@@ -280,10 +278,7 @@ private:
 	/// enough.
 	void keepStrongLines()
 	{
-		Buffer<std::uint8_t> seen(m_.vertexNum, 0);
-		for (int start : marked_) {
-			if (seen[m_.origin[start]]) continue;
-			const std::vector<int> line = lineAt(m_.origin[start], seen);
+		for (const std::vector<int>& line : connectedLines(m_, marked_)) {
 			if (isKept(line)) {
 				++out_.figures.lineNum;
 				continue;
@@ -293,24 +288,6 @@ private:
 		}
 		dropUnmarked();
 		out_.figures.edgeNum = std::int64_t(marked_.size());
-	}
-
-	/// One half-edge of each marked edge connected to v.
-	std::vector<int> lineAt(int v, Buffer<std::uint8_t>& seen) const
-	{
-		std::vector<int> line, front = {v};
-		seen[v] = 1;
-		for (std::size_t i = 0; i < front.size(); ++i) {
-			forEachOutgoing(m_, front[i], [&](int h) {
-				if (!m_.isCreaseEdge(h)) return;
-				if (isFirstHalf(h)) line.push_back(h);
-				const int w = m_.target(h);
-				if (seen[w]) return;
-				seen[w] = 1;
-				front.push_back(w);
-			});
-		}
-		return line;
 	}
 
 	bool isKept(const std::vector<int>& line) const
