@@ -666,11 +666,8 @@ void floodGiven(const BoundaryCurves& boundary, const Surface& surface, float ra
 	const OctreeBlocks        partition  = cutIntoBlocks(surface, blockWidth * radius, workers);
 	const std::vector<Block>& blocks     = partition.blocks;
 	const auto                blockOf    = [&](std::size_t s) {
-        const int  v = m.origin[3 * boundary.samples[s].point.face];
-        const auto next =
-            std::upper_bound(blocks.begin(), blocks.end(), v,
-											   [](int vertex, const Block& b) { return vertex < b.end; });
-        return int(next - blocks.begin());
+        const int v = m.origin[3 * boundary.samples[s].point.face];
+        return firstOf(int(blocks.size()), [&](int b) { return v < blocks[b].end; });
 	};
 	Buffer<int> start, given;
 	sortIntoBuckets(boundary.samples.size(), blocks.size(), blockOf, workers, start, given);
