@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace gpr {
@@ -23,6 +24,10 @@ bool isBefore(const Vec3<S>& a, const Vec3<S>& b)
 	if (a.x != b.x) return a.x < b.x;
 	return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
+
+/// Values by place, in the order of isBefore, which the constructor takes.
+template <class T>
+using PlaceMap = std::map<Vec3f, T, bool (*)(const Vec3f&, const Vec3f&)>;
 
 /// Finds points at the same place: a hash table of cells, each with a chain of points.
 class SamePlaceTable {
