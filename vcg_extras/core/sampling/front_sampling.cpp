@@ -337,9 +337,7 @@ private:
 		constexpr float coarseEdge = 0.5f; // of the disk's radius
 		const float     limit      = coarseEdge * coarseEdge * r_ * r_ * (size * size);
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
-			const float squared =
-				squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
-			if (squared > limit) return true;
+			if (squaredLength(m_.edgeVector(h)) > limit) return true;
 		}
 		return false;
 	}
