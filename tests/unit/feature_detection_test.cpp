@@ -30,7 +30,7 @@ struct Found {
 	{
 		float unit = meanEdgeLength(surface.mesh, workers);
 		if (support > 0) unit = float(support * surface.frame.scale / thresholds.support);
-		features = findFeatures(surface, thresholds, unit, workers);
+		features = findFeatures(thresholds, unit, workers, surface);
 	}
 
 	const HalfEdgeMesh& mesh() const { return surface.mesh; }
@@ -72,10 +72,10 @@ TEST_P(Fold, IsALineOneEdgeWideFromEndToEnd)
 	const Found f(bentSheet(20, GetParam() * pi / 180));
 	const bool  isStrong = GetParam() >= 40;
 	for (int h = 0; h < f.mesh().halfEdgeNum(); ++h)
-		EXPECT_EQ(f.features.isFeatureEdge[h], isStrong && isInFold(f, h)) << h;
-	EXPECT_EQ(f.features.edgeNum, isStrong ? 20 : 0);
-	EXPECT_EQ(f.features.lineNum, isStrong ? 1 : 0);
-	EXPECT_EQ(f.features.cornerNum, isStrong ? 2 : 0) << "its two ends";
+		EXPECT_EQ(f.mesh().isCreaseEdge(h), isStrong && isInFold(f, h)) << h;
+	EXPECT_EQ(f.features.figures.edgeNum, isStrong ? 20 : 0);
+	EXPECT_EQ(f.features.figures.lineNum, isStrong ? 1 : 0);
+	EXPECT_EQ(f.features.figures.cornerNum, isStrong ? 2 : 0) << "its two ends";
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, Fold, ::testing::Values(5, 15, 30, 45, 60, 90, 120, 150));
@@ -215,8 +215,8 @@ TEST_P(Noise, OfAScanIsNoFeature)
 	EXPECT_GT(*std::max_element(d.dihedral.begin(), d.dihedral.end()), 25)
 		<< "noise worth the name";
 	EXPECT_LT(largest, 40);
-	EXPECT_EQ(f.features.edgeNum, 0);
-	EXPECT_EQ(f.features.coneApexNum, 0);
+	EXPECT_EQ(f.features.figures.edgeNum, 0);
+	EXPECT_EQ(f.features.figures.coneApexNum, 0);
 }
 
 TEST_P(Noise, LeavesACubesEdgesInPlace)

@@ -24,6 +24,22 @@ int placeIn(const std::vector<T>& sorted, const T& value)
 	return found != sorted.end() && *found == value ? int(found - sorted.begin()) : -1;
 }
 
+/// The first number in [0, n) that passes the test; n if none does. All numbers behind must pass
+/// too. Cost: O(log n).
+template <class Test>
+int firstOf(int n, const Test& test)
+{
+	int low = 0, high = n;
+	while (low < high) {
+		const int middle = low + (high - low) / 2;
+		if (test(middle))
+			high = middle;
+		else
+			low = middle + 1;
+	}
+	return low;
+}
+
 } // namespace gpr
 
 #endif

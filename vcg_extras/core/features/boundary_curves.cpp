@@ -502,7 +502,7 @@ private:
 	{
 		int best = 0;
 		for (int i = 1; i < c.pointNum(); ++i) {
-			if (arcDistance(c, c.arc[i], arc) < arcDistance(c, c.arc[best], arc)) best = i;
+			if (c.arcDistance(c.arc[i], arc) < c.arcDistance(c.arc[best], arc)) best = i;
 		}
 		return best;
 	}
@@ -573,12 +573,6 @@ private:
 		}
 	}
 
-	static float arcDistance(const Curve& c, float a, float b)
-	{
-		const float d = std::abs(a - b);
-		return c.isClosed ? std::min(d, c.length - d) : d;
-	}
-
 	/// Index of the mark nearest to arc s; the marks are sorted by arc.
 	static int nearestMark(const Curve& c, const std::vector<Mark>& marks, float s)
 	{
@@ -586,8 +580,7 @@ private:
 		const int  n     = int(marks.size());
 		const int  high  = int(above - marks.begin());
 		const int  next = high % n, last = (high + n - 1) % n;
-		return arcDistance(c, marks[next].arc, s) < arcDistance(c, marks[last].arc, s) ? next
-																					   : last;
+		return c.arcDistance(marks[next].arc, s) < c.arcDistance(marks[last].arc, s) ? next : last;
 	}
 
 	bool isOfNode(const CurveSample& sample) const
@@ -608,7 +601,7 @@ private:
 			const int    k      = nearestMark(c, marks, c.arc[i]);
 			CurveSample& sample = out_.samples[marks[k].sample];
 			owner[i]            = marks[k].sample;
-			const float d       = arcDistance(c, marks[k].arc, c.arc[i]);
+			const float d       = c.arcDistance(marks[k].arc, c.arc[i]);
 			if (d >= distance[k] || isOfNode(sample)) continue;
 			distance[k]     = d;
 			sample.vertex   = c.vertex[i];
@@ -618,6 +611,24 @@ private:
 		out_.sampleOfPoint.push_back(std::move(owner));
 	}
 };
+
+/// The edges of the feature lines connected to v. seen: per vertex.
+std::vector<int> lineAt(const HalfEdgeMesh& m, int v, std::vector<char>& seen)
+{
+	std::vector<int> line, front = {v};
+	seen[v] = 1;
+	for (std::size_t i = 0; i < front.size(); ++i) {
+		forEachOutgoing(m, front[i], [&](int h) {
+			if (!m.isCreaseEdge(h)) return;
+			if (m.opposite[h] > h) line.push_back(h);
+			const int w = m.target(h);
+			if (seen[w]) return;
+			seen[w] = 1;
+			front.push_back(w);
+		});
+	}
+	return line;
+}
 
 void addSizes(const Surface& surface, Curve& c)
 {
@@ -641,6 +652,16 @@ int nextOnCrease(const HalfEdgeMesh& m, int h)
 		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
 	});
 	return next;
+}
+
+std::vector<std::vector<int>> connectedLines(const HalfEdgeMesh& m, const std::vector<int>& edges)
+{
+	std::vector<std::vector<int>> lines;
+	std::vector<char>             seen(std::size_t(m.vertexNum), 0);
+	for (int h : edges) {
+		if (!seen[m.origin[h]]) lines.push_back(lineAt(m, m.origin[h], seen));
+	}
+	return lines;
 }
 
 /// Border loops; then feature lines from node to node, then closed feature lines; each in the order

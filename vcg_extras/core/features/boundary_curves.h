@@ -43,6 +43,11 @@ bool isCreaseNode(const HalfEdgeMesh& mesh, int v);
 /// The next half-edge of the feature line after h, whose target is no node.
 int nextOnCrease(const HalfEdgeMesh& mesh, int h);
 
+/// The edges of feature lines (mesh.crease), each by its smaller half-edge, as sets of edges that
+/// are connected. edges: all edges of the lines. Cost: a mark for each vertex, and the edges.
+std::vector<std::vector<int>> connectedLines(const HalfEdgeMesh&     mesh,
+											 const std::vector<int>& edges);
+
 /// The border loops, then the feature lines (mesh.crease), cut into chains between nodes.
 std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 

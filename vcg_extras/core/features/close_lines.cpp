@@ -9,11 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <queue>
 #include <set>
-#include <utility>
+#include <tuple>
 
 namespace gpr {
 
@@ -41,7 +40,7 @@ class CloseLines {
 public:
 	CloseLines(const Surface& surface, float gap, Workers& workers) :
 			surface_(surface), m_(surface.mesh), gap_(gap), workers_(workers),
-			curves_(traceCurves(m_))
+			curves_(traceCurves(m_)), segmentAt_(std::size_t(m_.halfEdgeNum()))
 	{
 		numberSegments();
 		findNodes();
@@ -50,7 +49,6 @@ public:
 
 	std::vector<int> run()
 	{
-		isKept_.assign(halfEdge_.size(), 0);
 		decideAll();
 		std::vector<int> close;
 		for (std::size_t s = 0; s < halfEdge_.size(); ++s) {
@@ -61,23 +59,22 @@ public:
 	}
 
 private:
-	const Surface&      surface_;
-	const HalfEdgeMesh& m_;
-	float               gap_;
-	Workers&            workers_;
-	std::vector<Curve>  curves_;
-	std::vector<int>    first_;    ///< per curve: its first segment; one more at the end
-	std::vector<int>    halfEdge_; ///< per segment
-	std::vector<int>    curve_;    ///< per segment
-	/// Pairs of half-edge and segment, for both halves of each edge, ascending.
-	std::vector<std::pair<int, int>>   segmentOf_;
-	std::map<int, std::set<int>>       curvesAt_;    ///< per vertex: curves with an end there
+	const Surface&               surface_;
+	const HalfEdgeMesh&          m_;
+	float                        gap_;
+	Workers&                     workers_;
+	std::vector<Curve>           curves_;
+	std::vector<int>             first_;     ///< per curve: its first segment; one more at the end
+	std::vector<int>             halfEdge_;  ///< per segment
+	std::vector<int>             curve_;     ///< per segment
+	Buffer<int>                  segmentAt_; ///< per half-edge of a curve, for both halves
+	std::map<int, std::set<int>> curvesAt_;  ///< per vertex: curves with an end there
 	std::vector<std::vector<Crossing>> crossingsOf_; ///< per segment; each in both directions
 	std::vector<char>                  isKept_;      ///< per segment
 
-	using Candidate = std::pair<float, int>; ///< strength and minus the curve
-	std::priority_queue<Candidate> joining_;
-	std::vector<char>              isDecided_; ///< per curve
+	/// Whether the curve goes on from a kept line, its strength, and minus the curve.
+	using Candidate = std::tuple<bool, float, int>;
+	std::priority_queue<Candidate> waiting_;
 
 	// ---- segments
 
@@ -89,7 +86,6 @@ private:
 				addSegment(c, h);
 		}
 		first_.push_back(int(halfEdge_.size()));
-		std::sort(segmentOf_.begin(), segmentOf_.end());
 	}
 
 	void addSegment(int c, int h)
@@ -97,13 +93,9 @@ private:
 		const int segment = int(halfEdge_.size());
 		halfEdge_.push_back(h);
 		curve_.push_back(c);
-		segmentOf_.emplace_back(h, segment);
-		if (m_.opposite[h] >= 0) segmentOf_.emplace_back(m_.opposite[h], segment);
-	}
-
-	int segmentAt(int h) const
-	{
-		return std::lower_bound(segmentOf_.begin(), segmentOf_.end(), std::make_pair(h, 0))->second;
+		isKept_.push_back(isBorder(c));
+		segmentAt_[h] = segment;
+		if (m_.opposite[h] >= 0) segmentAt_[m_.opposite[h]] = segment;
 	}
 
 	bool isBorder(int c) const { return m_.isBorderEdge(curves_[c].halfEdge[0]); }
@@ -139,8 +131,9 @@ private:
 	void findCrossings()
 	{
 		const std::vector<Crossing> all =
-			workers_.collectEach<Crossing>(segmentOf_.size(), [&](int i, auto& out) {
-				cross(segmentOf_[i].first, segmentOf_[i].second, out);
+			workers_.collectEach<Crossing>(halfEdge_.size(), [&](int s, auto& out) {
+				for (int h : {halfEdge_[s], m_.opposite[halfEdge_[s]]})
+					if (h >= 0) cross(h, s, out);
 			});
 		crossingsOf_.resize(halfEdge_.size());
 		for (const Crossing& c : all) {
@@ -158,7 +151,7 @@ private:
 			if (met || !m_.isCurveEdge(exit)) return;
 			met = true;
 			if (isSheetBetween(h, exit)) return;
-			const int  to       = segmentAt(exit);
+			const int  to       = segmentAt_[exit];
 			const bool atBorder = isBorder(curve_[segment]) || isBorder(curve_[to]);
 			out.push_back({segment, to, atBorder ? at / borderRatio : at});
 		});
@@ -187,29 +180,22 @@ private:
 		return sum;
 	}
 
-	/// Decides borders first, then always the strongest line that continues a kept line, or the
-	/// strongest of all if none does. So the same side is kept all round a thin plate.
+	/// Always decides the strongest line that continues a kept line, or the strongest of all if
+	/// none does. So the same side is kept all round a thin plate.
 	void decideAll()
 	{
-		std::vector<Candidate> all;
+		std::vector<char> isDecided;
 		for (int c = 0; c < int(curves_.size()); ++c) {
-			if (isBorder(c))
-				decide(c);
-			else
-				all.push_back({strength(c), -c});
+			isDecided.push_back(isBorder(c));
+			if (!isBorder(c)) waiting_.push({false, strength(c), -c});
 		}
-		std::sort(all.begin(), all.end(), std::greater<Candidate>());
-		isDecided_.assign(curves_.size(), 0);
-		for (const Candidate& first : all) {
-			joining_.push(first);
-			while (!joining_.empty()) {
-				const int c = -joining_.top().second;
-				joining_.pop();
-				if (isDecided_[c]) continue;
-				decide(c);
-				isDecided_[c] = 1;
-				addThoseThatGoOn(c);
-			}
+		while (!waiting_.empty()) {
+			const int c = -std::get<int>(waiting_.top());
+			waiting_.pop();
+			if (isDecided[c]) continue;
+			decide(c);
+			isDecided[c] = 1;
+			addThoseThatGoOn(c);
 		}
 	}
 
@@ -221,7 +207,7 @@ private:
 		for (int k : {0, 1}) {
 			if (!isKept_[k == 0 ? first_[c] : first_[c + 1] - 1]) continue;
 			for (int d : curvesAt_[ends[k]]) {
-				if (!isBorder(d)) joining_.push({strength(d), -d});
+				if (!isBorder(d)) waiting_.push({true, strength(d), -d});
 			}
 		}
 	}
@@ -232,8 +218,7 @@ private:
 	{
 		const int begin = first_[c], end = first_[c + 1];
 		for (int s = begin; s < end; ++s)
-			isKept_[s] = isBorder(c) || distanceFromKept(s) > gapAt(s);
-		if (isBorder(c)) return;
+			isKept_[s] = distanceFromKept(s) > gapAt(s);
 		for (int s = begin + 1; s < end; ++s)
 			leaveOut(s, s - 1);
 		for (int s = end - 2; s >= begin; --s)
@@ -272,10 +257,9 @@ private:
 
 	float arcBetween(const Crossing& x) const
 	{
-		const Curve& c = curves_[curve_[x.from]];
-		const int    i = x.from - first_[curve_[x.from]], k = x.to - first_[curve_[x.from]];
-		const float  arc = std::abs(c.arc[i] - c.arc[k]);
-		return c.isClosed ? std::min(arc, c.length - arc) : arc;
+		const int    c  = curve_[x.from];
+		const Curve& on = curves_[c];
+		return on.arcDistance(on.arc[x.from - first_[c]], on.arc[x.to - first_[c]]);
 	}
 };
 

@@ -9,12 +9,10 @@
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 namespace gpr {
 
@@ -132,12 +130,32 @@ private:
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
 		if (areNoise(sharp, isClear)) return true;
-		const ConnectedLines lines  = connectedLines();
-		const float          least  = clearLength * meanEdge();
-		const auto           stands = [&](int h) {
-            return float(lines.at(m_.origin[h]).length) >= least && isClear(h);
-		};
-		return areNoise(sharp, stands);
+		const float            least = clearLength * meanEdge();
+		const std::vector<int> longOnes =
+			edgesOfLines([&](const std::vector<int>& line) { return lengthOf(line) >= least; });
+		return areNoise(sharp, [&](int h) { return placeIn(longOnes, h) >= 0 && isClear(h); });
+	}
+
+	/// The edges of the connected lines that pass a test, ascending.
+	template <class Test>
+	std::vector<int> edgesOfLines(const Test& test) const
+	{
+		std::vector<int> edges;
+		for (const std::vector<int>& line : connectedLines(m_, edges_)) {
+			if (test(line)) edges.insert(edges.end(), line.begin(), line.end());
+		}
+		std::sort(edges.begin(), edges.end());
+		return edges;
+	}
+
+	/// The total length of a line, added up in the order of the edges.
+	float lengthOf(std::vector<int> line) const
+	{
+		std::sort(line.begin(), line.end());
+		double sum = 0;
+		for (int h : line)
+			sum += double(m_.edgeLength(h));
+		return float(sum);
 	}
 
 	/// Whether too little of the length of some edges is clear of noise.
@@ -167,56 +185,16 @@ private:
 		return float(sum / double(num));
 	}
 
-	/// The connected lines at a vertex.
-	struct Extent {
-		double length = 0;
-		int    endNum = 0; ///< free ends
-	};
-
-	/// The marked edges as connected lines.
-	struct ConnectedLines {
-		std::vector<int>    vertex; ///< of the marked edges, ascending
-		std::vector<int>    first;  ///< per vertex: the place of the first vertex of its lines
-		std::vector<Extent> extent; ///< at the places of first vertices
-
-		const Extent& at(int v) const { return extent[first[placeIn(vertex, v)]]; }
-	};
-
-	ConnectedLines connectedLines() const
-	{
-		ConnectedLines lines;
-		for (int h : edges_)
-			lines.vertex.insert(lines.vertex.end(), {m_.origin[h], m_.target(h)});
-		sortUnique(lines.vertex);
-		lines.first.resize(lines.vertex.size());
-		lines.extent.resize(lines.vertex.size());
-		std::iota(lines.first.begin(), lines.first.end(), 0);
-		const auto placeOf = [&](int v) { return placeIn(lines.vertex, v); };
-		for (int h : edges_)
-			joinSets(lines.first, placeOf(m_.origin[h]), placeOf(m_.target(h)));
-		// The first vertex of a set comes before its other vertices, so its own entry is final.
-		for (int& first : lines.first)
-			first = lines.first[first];
-		for (int h : edges_)
-			lines.extent[lines.first[placeOf(m_.origin[h])]].length += double(m_.edgeLength(h));
-		for (std::size_t i = 0; i < lines.vertex.size(); ++i)
-			lines.extent[lines.first[i]].endNum += isFreeEnd(lines.vertex[i]);
-		return lines;
-	}
-
 	// ---- growing
 
 	/// Lines fade out: continues each free end along weaker edges.
 	void growFromEnds(const std::vector<int>& sharp)
 	{
-		std::vector<int> ends;
-		for (int h : sharp) {
-			for (int v : {m_.origin[h], m_.target(h)}) {
-				if (isFreeEnd(v)) ends.push_back(v);
-			}
-		}
-		std::sort(ends.begin(), ends.end());
-		for (int v : ends)
+		std::vector<int> vertices;
+		for (int h : sharp)
+			vertices.insert(vertices.end(), {m_.origin[h], m_.target(h)});
+		sortUnique(vertices);
+		for (int v : vertices)
 			growFrom(v);
 		std::sort(edges_.begin(), edges_.end());
 	}
@@ -257,15 +235,13 @@ private:
 
 	void dropShortOnes()
 	{
-		const ConnectedLines lines = connectedLines();
-		keepOnly([&](int h) { return isLongEnough(lines.at(m_.origin[h])); });
+		drop(edgesOfLines([&](const std::vector<int>& line) { return !isLongEnough(line); }));
 		std::vector<int> spurs;
 		for (int h : edges_) {
 			for (int e : {h, m_.opposite[h]}) {
 				if (isFreeEnd(m_.origin[e])) collectSpur(e, spurs);
 			}
 		}
-		std::sort(spurs.begin(), spurs.end());
 		drop(spurs);
 	}
 
@@ -277,30 +253,22 @@ private:
 		dropShortOnes();
 	}
 
-	/// Drops the given edges, ascending.
 	void drop(const std::vector<int>& edges)
 	{
-		keepOnly([&](int h) { return !std::binary_search(edges.begin(), edges.end(), h); });
+		for (int h : edges)
+			mark(h, false);
+		const auto isGone = [&](int h) { return !m_.isCreaseEdge(h); };
+		edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isGone), edges_.end());
 	}
 
-	bool isLongEnough(const Extent& line) const
+	bool isLongEnough(const std::vector<int>& line) const
 	{
-		const float all = float(line.length);
+		const float all = lengthOf(line);
 		if (all >= rules_.minLength) return true;
-		return all >= rules_.minLoop && line.endNum == 0;
-	}
-
-	template <class Keep>
-	void keepOnly(const Keep& keep)
-	{
-		std::size_t left = 0;
-		for (int h : edges_) {
-			if (keep(h))
-				edges_[left++] = h;
-			else
-				mark(h, false);
-		}
-		edges_.resize(left);
+		const auto hasFreeEnd = [&](int h) {
+			return isFreeEnd(m_.origin[h]) || isFreeEnd(m_.target(h));
+		};
+		return all >= rules_.minLoop && std::none_of(line.begin(), line.end(), hasFreeEnd);
 	}
 
 	bool isFreeEnd(int v) const { return !m_.isBorderVertex(v) && m_.creaseNum(v) == 1; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feature_detection.h"
 
+#include "boundary_curves.h"
 #include "feature_strength.h"
 
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -47,9 +48,9 @@ float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, i
 /// A detection. Its parts are written in the order in which they run.
 class Detection {
 public:
-	Detection(const Surface& surface, const FeatureThresholds& thresholds, Workers& workers,
+	Detection(HalfEdgeMesh& mesh, const FeatureThresholds& thresholds, Workers& workers,
 			  FeatureEdges& out) :
-			m_(surface.mesh),
+			m_(mesh),
 			thresholds_(thresholds), workers_(workers), out_(out)
 	{
 	}
@@ -66,17 +67,13 @@ public:
 	}
 
 private:
-	const HalfEdgeMesh&      m_;
+	HalfEdgeMesh&            m_;
 	const FeatureThresholds& thresholds_;
 	Workers&                 workers_;
 	FeatureEdges&            out_;
 	Buffer<float>            sharpness_; ///< per half-edge, degrees
 	Buffer<float>            dihedral_;  ///< per half-edge, degrees
-	Buffer<std::uint8_t>     degree_;    ///< per vertex: marked edges, 255 at most
 	std::vector<int>         marked_;    ///< one half of each marked edge, ascending at first
-
-	bool isFirstHalf(int h) const { return m_.opposite[h] > h; }
-	bool isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
 
 	// ---- strength
 
@@ -113,21 +110,12 @@ private:
 
 	void findCandidates()
 	{
-		out_.isFeatureEdge.reset(m_.halfEdgeNum());
+		m_.crease.reset(m_.halfEdgeNum());
 		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
-			out_.isFeatureEdge[h] = m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
+			m_.crease[h] = m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
 		});
-		marked_ = workers_.collectIf(m_.halfEdgeNum(),
-									 [&](int h) { return isMarked(h) && isFirstHalf(h); });
-		degree_ = Buffer<std::uint8_t>(m_.vertexNum, 0);
-		for (int h : marked_)
-			countEnds(h, 1);
-	}
-
-	void countEnds(int h, int by)
-	{
-		for (int v : {m_.origin[h], m_.target(h)})
-			degree_[v] = std::uint8_t(std::clamp(degree_[v] + by, 0, 255));
+		marked_ = workers_.collectIf(
+			m_.halfEdgeNum(), [&](int h) { return m_.isCreaseEdge(h) && m_.opposite[h] > h; });
 	}
 
 	/// Whether h is a crease of the mesh, sharper than weakDeg and the sharpest across. If the
@@ -191,31 +179,17 @@ private:
 
 	// ---- linking
 
-	/// Calls visit(h) for the outgoing half-edge of every marked edge at v.
-	template <class Visit>
-	void forEachMarkedAt(int v, const Visit& visit) const
-	{
-		forEachOutgoing(m_, v, [&](int h) {
-			if (isMarked(h)) visit(h);
-		});
-	}
-
 	void mark(int h)
 	{
-		out_.isFeatureEdge[h] = out_.isFeatureEdge[m_.opposite[h]] = 1;
+		m_.crease[h] = m_.crease[m_.opposite[h]] = 1;
 		marked_.push_back(std::min(h, m_.opposite[h]));
-		countEnds(h, 1);
 	}
 
-	void unmark(int h)
-	{
-		out_.isFeatureEdge[h] = out_.isFeatureEdge[m_.opposite[h]] = 0;
-		countEnds(h, -1);
-	}
+	void unmark(int h) { m_.crease[h] = m_.crease[m_.opposite[h]] = 0; }
 
 	void dropUnmarked()
 	{
-		const auto isGone = [&](int h) { return !isMarked(h); };
+		const auto isGone = [&](int h) { return !m_.isCreaseEdge(h); };
 		marked_.erase(std::remove_if(marked_.begin(), marked_.end(), isGone), marked_.end());
 	}
 
@@ -227,7 +201,7 @@ private:
 		for (std::size_t i = 0; i < num; ++i) {
 			const int h = marked_[i];
 			for (int last : {h, m_.opposite[h]}) {
-				if (degree_[m_.target(last)] != 1) continue;
+				if (m_.creaseNum(m_.target(last)) != 1) continue;
 				for (int step : bridgeFrom(last))
 					mark(step);
 			}
@@ -243,7 +217,7 @@ private:
 			lengthLeft -= m_.edgeLength(next);
 			if (lengthLeft < 0) break;
 			path.push_back(next);
-			if (degree_[m_.target(next)] > 0) return path;
+			if (m_.creaseNum(m_.target(next)) > 0) return path;
 		}
 		return {};
 	}
@@ -269,7 +243,7 @@ private:
 	{
 		for (int h : marked_) {
 			for (int first : {h, m_.opposite[h]}) {
-				if (!isMarked(h) || degree_[m_.origin[first]] != 1) continue;
+				if (!m_.isCreaseEdge(h) || m_.creaseNum(m_.origin[first]) != 1) continue;
 				for (int step : spurFrom(first))
 					unmark(step);
 			}
@@ -287,7 +261,7 @@ private:
 			path.push_back(h);
 			lengthLeft -= m_.edgeLength(h);
 			if (lengthLeft < 0) break;
-			if (degree_[m_.target(h)] > 2) return path;
+			if (m_.creaseNum(m_.target(h)) > 2) return path;
 		}
 		return {};
 	}
@@ -295,12 +269,7 @@ private:
 	/// The next half-edge of the line; -1 at its end or at a fork.
 	int nextOnLine(int h) const
 	{
-		if (degree_[m_.target(h)] != 2) return -1;
-		int next = -1;
-		forEachMarkedAt(m_.target(h), [&](int k) {
-			if (k != m_.opposite[h]) next = k;
-		});
-		return next;
+		return m_.creaseNum(m_.target(h)) == 2 ? nextOnCrease(m_, h) : -1;
 	}
 
 	// ---- lines
@@ -309,36 +278,16 @@ private:
 	/// enough.
 	void keepStrongLines()
 	{
-		Buffer<std::uint8_t> seen(m_.vertexNum, 0);
-		for (int start : marked_) {
-			if (seen[m_.origin[start]]) continue;
-			const std::vector<int> line = lineAt(m_.origin[start], seen);
+		for (const std::vector<int>& line : connectedLines(m_, marked_)) {
 			if (isKept(line)) {
-				++out_.lineNum;
+				++out_.figures.lineNum;
 				continue;
 			}
 			for (int h : line)
 				unmark(h);
 		}
 		dropUnmarked();
-		out_.edgeNum = std::int64_t(marked_.size());
-	}
-
-	/// One half-edge of each marked edge connected to v.
-	std::vector<int> lineAt(int v, Buffer<std::uint8_t>& seen) const
-	{
-		std::vector<int> line, front = {v};
-		seen[v] = 1;
-		for (std::size_t i = 0; i < front.size(); ++i) {
-			forEachMarkedAt(front[i], [&](int h) {
-				if (isFirstHalf(h)) line.push_back(h);
-				const int w = m_.target(h);
-				if (seen[w]) return;
-				seen[w] = 1;
-				front.push_back(w);
-			});
-		}
-		return line;
+		out_.figures.edgeNum = std::int64_t(marked_.size());
 	}
 
 	bool isKept(const std::vector<int>& line) const
@@ -360,14 +309,14 @@ private:
 		for (int h : marked_) {
 			for (int v : {m_.origin[h], m_.target(h)}) {
 				out_.vertexFeature[v] = OnFeatureLine;
-				turn[v]               = degree_[v] == 2 ? turnAt(v) : 180;
+				turn[v]               = m_.creaseNum(v) == 2 ? turnAt(v) : 180;
 			}
 		}
 		for (int h : marked_) {
 			for (int v : {m_.origin[h], m_.target(h)}) {
 				if (out_.vertexFeature[v] & FeatureCorner || !isCorner(v, turn)) continue;
 				out_.vertexFeature[v] |= FeatureCorner;
-				++out_.cornerNum;
+				++out_.figures.cornerNum;
 			}
 		}
 	}
@@ -376,8 +325,8 @@ private:
 	{
 		std::array<int, 2> pair{-1, -1};
 		int                n = 0;
-		forEachMarkedAt(v, [&](int h) {
-			if (n < 2) pair[n++] = h;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.isCreaseEdge(h) && n < 2) pair[n++] = h;
 		});
 		return pair;
 	}
@@ -419,7 +368,7 @@ private:
 
 	bool isCorner(int v, const Buffer<float>& turn) const
 	{
-		if (degree_[v] != 2) return true;
+		if (m_.creaseNum(v) != 2) return true;
 		if (turn[v] < cornerTurnDeg) return false;
 		bool       sharpest = true;
 		const auto compare  = [&](int w) {
@@ -446,7 +395,7 @@ private:
 			if (defect[v] < float(thresholds_.strongDeg) || !isConeApex(v, defect)) continue;
 			out_.vertexFeature[v] |= FeatureConeApex;
 			out_.vertexStrength[v] = std::min(180.0f, std::max(out_.vertexStrength[v], defect[v]));
-			++out_.coneApexNum;
+			++out_.figures.coneApexNum;
 		}
 	}
 
@@ -509,8 +458,8 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers)
 	return meanSideLength(mesh.position, mesh.triangle, mesh.faceNum, workers);
 }
 
-FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
-						  float meanEdge, Workers& workers)
+FeatureEdges findFeatures(const FeatureThresholds& thresholds, float meanEdge, Workers& workers,
+						  Surface& surface)
 {
 	FeatureEdges out;
 	const float  wanted  = float(thresholds.support) * meanEdge;
@@ -518,7 +467,7 @@ FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thres
 	out.support          = std::min(wanted, largest);
 	out.supportCut       = wanted > largest;
 	out.minLength        = float(thresholds.minLength) * out.support;
-	Detection(surface, thresholds, workers, out).run();
+	Detection(surface.mesh, thresholds, workers, out).run();
 	return out;
 }
 

@@ -5,7 +5,7 @@
 
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/options.h>
-#include <vcg_extras/core/report.h>
+#include <vcg_extras/core/results.h>
 
 #include <cstdint>
 
@@ -13,28 +13,25 @@ namespace gpr {
 
 /// Features of a surface, in the numbering of the surface.
 struct FeatureEdges {
-	Buffer<float>        edgeStrength;  ///< per half-edge, degrees; both halves alike, 0 at borders
-	Buffer<std::uint8_t> isFeatureEdge; ///< per half-edge, 0 or 1; both halves alike
+	Buffer<float>        edgeStrength; ///< per half-edge, degrees; both halves alike, 0 at borders
 	Buffer<float>        vertexStrength; ///< per vertex, degrees
 	Buffer<std::uint8_t> vertexFeature;  ///< per vertex: VertexFeature bits, 0 for most
 
-	float        support      = 0;     ///< radius of the half-disks, working units
-	float        minLength    = 0;     ///< of a line, working units
-	bool         supportCut   = false; ///< the requested support was above the largest support
-	std::int64_t edgeNum      = 0;     ///< edges of feature lines
-	std::int64_t lineNum      = 0;     ///< connected sets of such edges
-	std::int64_t cornerNum    = 0;
-	std::int64_t coneApexNum  = 0;
-	std::int64_t cappedRayNum = 0; ///< rays cut off before they reached the support
+	float          support    = 0;     ///< radius of the half-disks, working units
+	float          minLength  = 0;     ///< of a line, working units
+	bool           supportCut = false; ///< the requested support was above the largest support
+	FeatureFigures figures;            ///< counts of edges, lines, corners and cone apexes only
+	std::int64_t   cappedRayNum = 0;   ///< rays cut off before they reached the support
 };
 
 /// Mean length of the sides of all faces, working units.
 float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers);
 float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 
-/// Finds creases and cone apexes by a uniformly supported second-order difference. Paper §3.1 names
-/// the method after Wang 2006 and leaves the thresholds to the user. The formula of Wang could not
-/// be found in readable form; the formula here is the project's (docs/features.md).
+/// Finds creases and cone apexes, and marks the edges of the creases in surface.mesh.crease, by a
+/// uniformly supported second-order difference. Paper §3.1 names the method after Wang 2006 and
+/// leaves the thresholds to the user. The formula of Wang could not be found in readable form; the
+/// formula here is the project's (docs/features.md).
 ///
 /// The strength of an edge is the angle between the mean normals of its two half-disks (see
 /// feature_strength.h). The strength of a vertex is the largest strength of its edges. Strength is
@@ -51,8 +48,8 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 /// so that the half-disks of a box of twelve triangles do not wrap round it. Cost: linear, parallel
 /// but for the linking; about 2 s per million faces and core with the default support, growing with
 /// the support.
-FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
-						  float meanEdge, Workers& workers);
+FeatureEdges findFeatures(const FeatureThresholds& thresholds, float meanEdge, Workers& workers,
+						  Surface& surface);
 
 } // namespace gpr
 

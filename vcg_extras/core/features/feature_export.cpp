@@ -44,7 +44,7 @@ void exportFace(const Surface& s, const FeatureEdges& features, int f, const Cor
 		out.vertexStrength[corner[k]] =
 			std::max(out.vertexStrength[corner[k]], features.vertexStrength[v]);
 		out.vertexFeature[corner[k]] |= features.vertexFeature[v];
-		if (features.isFeatureEdge[h] && h < s.mesh.opposite[h]) {
+		if (s.mesh.isCreaseEdge(h) && h < s.mesh.opposite[h]) {
 			out.edges.push_back({corner[k], corner[(k + 1) % 3], features.edgeStrength[h]});
 		}
 	}
@@ -69,16 +69,13 @@ void exportFeatures(const MeshView& input, const Surface& surface, const Feature
 				out.faceMark[source] = 1;
 		}
 	}
+	out.figures           = features.figures;
+	out.figures.support   = double(features.support) / surface.frame.scale;
+	out.figures.minLength = double(features.minLength) / surface.frame.scale;
 	for (std::uint8_t mark : out.vertexFeature)
 		out.figures.vertexNum += mark != 0;
 	for (std::uint8_t mark : out.faceMark)
 		out.figures.faceNum += mark != 0;
-	out.figures.edgeNum     = features.edgeNum;
-	out.figures.lineNum     = features.lineNum;
-	out.figures.cornerNum   = features.cornerNum;
-	out.figures.coneApexNum = features.coneApexNum;
-	out.figures.support     = double(features.support) / surface.frame.scale;
-	out.figures.minLength   = double(features.minLength) / surface.frame.scale;
 }
 
 } // namespace gpr

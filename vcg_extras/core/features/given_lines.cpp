@@ -17,8 +17,7 @@ bool hasCornerAt(const MeshView& input, double scale, int g, int v)
 {
 	constexpr double farthest = 2 * double(samePlace);
 	const Vec3d      p        = input.position(std::size_t(v));
-	for (int k = 0; k < 3; ++k) {
-		const int   w    = input.vertexOf(3 * std::size_t(g) + std::size_t(k));
+	for (std::int32_t w : input.triangle(std::size_t(g))) {
 		const Vec3d away = (input.position(std::size_t(w)) - p) * scale;
 		if (w == v || squaredLength(away) <= farthest * farthest) return true;
 	}

@@ -2,21 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shared_borders.h"
 
+#include <vcg_extras/core/mesh/same_place.h>
+
 #include <algorithm>
 #include <set>
 
 namespace gpr {
-
-namespace {
-
-using Position = std::array<float, 3>;
-
-Position positionOf(const Vec3f& p)
-{
-	return {p.x, p.y, p.z};
-}
-
-} // namespace
 
 SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves)
 {
@@ -30,12 +21,12 @@ SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>&
 
 void SharedBorders::numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves)
 {
-	std::map<Position, int> number;
+	PlaceMap<int> number(isBefore<float>);
 	place_.resize(curves.size());
 	for (std::size_t c = 0; c < curves.size(); ++c) {
 		if (!mesh.isBorderEdge(curves[c].halfEdge[0])) continue;
 		for (const Vec3f& p : curves[c].point)
-			place_[c].push_back(number.insert({positionOf(p), int(number.size())}).first->second);
+			place_[c].push_back(number.insert({p, int(number.size())}).first->second);
 	}
 	isStop_.assign(number.size(), 0);
 }
@@ -111,16 +102,16 @@ void SharedBorders::addSample(int curve, int segment, float share, const Vec3f& 
 
 void equalizeSizes(Surface& surface)
 {
-	const HalfEdgeMesh&       m = surface.mesh;
-	std::map<Position, float> least;
-	const auto isBorder = [&](int v) { return m.outgoing[v] >= 0 && m.isBorderVertex(v); };
+	const HalfEdgeMesh& m = surface.mesh;
+	PlaceMap<float>     least(isBefore<float>);
+	const auto          isBorder = [&](int v) { return m.outgoing[v] >= 0 && m.isBorderVertex(v); };
 	for (int v = 0; v < m.vertexNum; ++v) {
 		if (!isBorder(v)) continue;
-		float& size = least.insert({positionOf(m.position[v]), surface.size[v]}).first->second;
+		float& size = least.insert({m.position[v], surface.size[v]}).first->second;
 		size        = std::min(size, surface.size[v]);
 	}
 	for (int v = 0; v < m.vertexNum; ++v) {
-		if (isBorder(v)) surface.size[v] = least.at(positionOf(m.position[v]));
+		if (isBorder(v)) surface.size[v] = least.at(m.position[v]);
 	}
 }
 

@@ -106,9 +106,8 @@ Vec3f nearestOnLoop(const Curve& c, int begin, float reach, const Vec3f& p)
 	look(begin);
 	for (int direction : {-1, 1}) {
 		for (int step = 1; step < n; ++step) {
-			const int   i   = ((begin + direction * step) % n + n) % n;
-			const float way = std::abs(c.arc[i] - c.arc[begin]);
-			if (std::min(way, c.length - way) > reach) break;
+			const int i = ((begin + direction * step) % n + n) % n;
+			if (c.arcDistance(c.arc[i], c.arc[begin]) > reach) break;
 			look(i);
 		}
 	}

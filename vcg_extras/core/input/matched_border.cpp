@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
+#include <vcg_extras/core/mesh/same_place.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,6 @@
 #include <iterator>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace gpr {
@@ -30,12 +30,6 @@ constexpr double nearVertex = 1e-4;
 constexpr int    none       = -1;
 /// Most samples of a piece of a border.
 constexpr double mostSamples = 2e7;
-
-/// The order of places in space, independent of the numbers of vertices.
-bool isBefore(const Vec3d& a, const Vec3d& b)
-{
-	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);
-}
 
 /// A sample inside an edge of the border.
 struct Inside {

@@ -31,11 +31,7 @@ struct Linked {
 	JunctionMode junctions;
 
 	std::size_t halfEdgeNum() const { return std::size_t(3) * mesh.faceNum; }
-	EdgeSide    side(int h) const
-	{
-		return edgeSide(mesh.triangle[h], mesh.triangle[nextInFace(h)], h);
-	}
-	bool runAlike(int g, int h) const { return mesh.triangle[g] == mesh.triangle[h]; }
+	bool        runAlike(int g, int h) const { return mesh.triangle[g] == mesh.triangle[h]; }
 
 	void join(int g, int h)
 	{
@@ -54,7 +50,7 @@ struct Linked {
 	{
 		return sortedByBuckets<EdgeSide>(
 			halfEdges.size(), std::size_t(mesh.vertexNum),
-			[&](std::size_t i) { return side(halfEdges[i]); },
+			[&](std::size_t i) { return edgeSide(mesh, halfEdges[i]); },
 			[](const EdgeSide& s) { return s.low; }, workers);
 	}
 };
@@ -315,7 +311,7 @@ private:
 
 std::vector<Vec3f> distinctPlaces(std::vector<Vec3f> places)
 {
-	std::sort(places.begin(), places.end(), isBefore);
+	std::sort(places.begin(), places.end(), isBefore<float>);
 	places.erase(std::unique(places.begin(), places.end()), places.end());
 	return places;
 }

@@ -25,11 +25,6 @@ std::uint64_t numberOf(int v)
 	return mixedBits(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
 }
 
-EdgeSide sideAt(const IndexedMesh& mesh, int h)
-{
-	return edgeSide(mesh.triangle[h], mesh.triangle[nextInFace(h)], h);
-}
-
 // ---- the border
 
 /// Per vertex the xor of the random numbers of its neighbours, each repeated for every face at the
@@ -54,7 +49,7 @@ std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 	const Buffer<std::uint64_t> unpaired = unpairedNeighbours(mesh, workers);
 	std::vector<EdgeSide>       sides =
 		workers.collectEach<EdgeSide>(3 * std::size_t(mesh.faceNum), [&](int h, auto& out) {
-			const EdgeSide e = sideAt(mesh, h);
+			const EdgeSide e = edgeSide(mesh, h);
 			if (unpaired[e.low] != 0 && unpaired[e.high] != 0) out.push_back(e);
 		});
 	sortPolled(sides.begin(), sides.end(), workers);
@@ -216,7 +211,7 @@ private:
 	{
 		const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
 			3 * std::size_t(mesh_.faceNum), std::size_t(mesh_.vertexNum),
-			[&](std::size_t h) { return sideAt(mesh_, int(h)); },
+			[&](std::size_t h) { return edgeSide(mesh_, int(h)); },
 			[](const EdgeSide& s) { return s.low; }, workers_);
 		Poller poller(workers_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
@@ -299,9 +294,9 @@ private:
 	{
 		if (sides[begin].low == sides[begin].high) return true;
 		if (end - begin <= 2) return false;
-		const EdgeSide before = sideAt(mesh_, sides[begin].halfEdge);
+		const EdgeSide before = edgeSide(mesh_, sides[begin].halfEdge);
 		for (std::size_t i = begin; i < end; ++i) {
-			if (!sideAt(mesh_, sides[i].halfEdge).isOfSameEdge(before)) return true;
+			if (!edgeSide(mesh_, sides[i].halfEdge).isOfSameEdge(before)) return true;
 		}
 		return false; // the edge had as many faces before
 	}

@@ -57,21 +57,6 @@ private:
 		int before, item;
 	};
 
-	/// The first number in [0, n) that passes the test. All numbers behind must pass too.
-	template <class Test>
-	static int firstOf(int n, const Test& test)
-	{
-		int low = 0, high = n;
-		while (low < high) {
-			const int middle = low + (high - low) / 2;
-			if (test(middle))
-				high = middle;
-			else
-				low = middle + 1;
-		}
-		return low;
-	}
-
 	/// Names the first `num` items, the old items, in their order. gone: items that leave no gap.
 	void nameOld(int num, const std::vector<Insert>& inserts, const std::vector<int>& gone,
 				 Buffer<int>& name)

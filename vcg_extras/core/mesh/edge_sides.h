@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
 
 #include "half_edge_mesh.h"
+#include "indexed_mesh.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
@@ -31,6 +32,12 @@ struct EdgeSide {
 inline EdgeSide edgeSide(int a, int b, int halfEdge)
 {
 	return {std::min(a, b), std::max(a, b), halfEdge};
+}
+
+/// The side h of an edge of a mesh without adjacency.
+inline EdgeSide edgeSide(const IndexedMesh& mesh, int h)
+{
+	return edgeSide(mesh.triangle[h], mesh.triangle[nextInFace(h)], h);
 }
 
 /// The side of an edge of a mesh that begins at a corner.

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace gpr {
@@ -17,11 +18,16 @@ namespace gpr {
 constexpr float samePlace = 1e-6f;
 
 /// Whether a comes before b, by x, y, z.
-inline bool isBefore(const Vec3f& a, const Vec3f& b)
+template <class S>
+bool isBefore(const Vec3<S>& a, const Vec3<S>& b)
 {
 	if (a.x != b.x) return a.x < b.x;
 	return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
+
+/// Values by place, in the order of isBefore, which the constructor takes.
+template <class T>
+using PlaceMap = std::map<Vec3f, T, bool (*)(const Vec3f&, const Vec3f&)>;
 
 /// Finds points at the same place: a hash table of cells, each with a chain of points.
 class SamePlaceTable {

@@ -129,7 +129,7 @@ FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
 	dropFlatPieces(run, surface.cleaned, surface);
 	run.clock.enter(Stage::Detection);
 	FeatureEdges features =
-		findFeatures(surface, run.options.featureThresholds, meanEdge, run.workers);
+		findFeatures(run.options.featureThresholds, meanEdge, run.workers, surface);
 	tellLimits(run, features);
 	return features;
 }

@@ -17,6 +17,7 @@
 #include <vcg_extras/core/sampling/front_sampling.h>
 #include <vcg_extras/core/sampling/fused_mesh.h>
 #include <vcg_extras/core/sampling/given_samples.h>
+#include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <cstdint>
@@ -42,16 +43,13 @@ struct WorkingSurface : Surface {
 	bool sharesBorders() const { return cleaned.sharedBorderEdges > 0 || mesh.meetsAtPlaces; }
 };
 
-/// The facts about local sizes. The sizes themselves are in the working surface.
-struct Sizes {
-	double radiusFactor = 1;     ///< largest disk radius over the radius of eq. (1): see Sizing
+/// The facts about local sizes. The sizes themselves go to the working surface.
+struct Sizes : Sizing {
 	std::optional<double> adapt; ///< adaptivity in force; 0: even sizes; none: not known yet
-	Buffer<char>          isFeatureVertex;     ///< of the feature region; empty: no region
-	std::vector<int>      kept;                ///< vertices of the input that must stay
-	std::int64_t          regionVertexNum = 0; ///< vertices of the input in the region
-	double                vertexNum = 0, borderEdgeNum = 0; ///< see Sizing
-	std::int64_t          clampedNum  = 0;                  ///< see Sizing
-	bool                  followLines = false;              ///< see SizeFacts
+	Buffer<char>          isFeatureVertex;         ///< of the feature region; empty: no region
+	std::vector<int>      kept;                    ///< vertices of the input that must stay
+	std::int64_t          regionVertexNum = 0;     ///< vertices of the input in the region
+	bool                  followLines     = false; ///< see SizeFacts
 };
 
 /// The feature lines of the working surface, and the samples on feature lines and borders.

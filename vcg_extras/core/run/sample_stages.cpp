@@ -66,7 +66,7 @@ std::int64_t copiesAmong(const Sampling& sampling, const Surface& surface)
 	std::vector<Vec3f> places;
 	for (const Sample& s : sampling.samples)
 		places.push_back(s.point.position);
-	std::sort(places.begin(), places.end(), isBefore);
+	std::sort(places.begin(), places.end(), isBefore<float>);
 	return places.end() - std::unique(places.begin(), places.end());
 }
 

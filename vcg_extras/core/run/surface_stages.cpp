@@ -238,17 +238,13 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 /// Gives the surface its sizes, and the largest disks the radius for the sizes.
 void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
-	Sizing sizing = findSizes(run, decisions, made);
+	static_cast<Sizing&>(made.sizes) = findSizes(run, decisions, made);
 	made.surface.ring.release();
-	if (sizing.size.empty()) return;
-	made.surface.size        = std::move(sizing.size);
-	made.sizes.radiusFactor  = sizing.radiusFactor;
-	made.sizes.clampedNum    = sizing.clampedNum;
-	made.sizes.vertexNum     = sizing.vertexNum;
-	made.sizes.borderEdgeNum = sizing.borderEdgeNum;
+	if (made.sizes.size.empty()) return;
+	made.surface.size = std::move(made.sizes.size);
 	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
-	splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);
+	splitForSizes(run, made.sizes.longestEdge * radius, decisions.spacedFor(), made);
 }
 
 /// Without a change of the border, the possible numbers of vertices or faces are multiples of this

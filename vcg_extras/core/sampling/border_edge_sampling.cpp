@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "border_edge_sampling.h"
 
+#include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>
@@ -143,10 +144,8 @@ private:
 	/// About 0.75 A / r² without stretch: random border edges reach 0.72 of the densest packing.
 	int expectedSampleNum() const
 	{
-		double doubled = 0;
-		for (int f = 0; f < surface_.mesh.faceNum; ++f)
-			doubled += double(length(surface_.mesh.faceCross(f)));
-		return int(std::min(0.45 * doubled / (double(r_) * r_) + 1024, 1e8));
+		const double area = surfaceArea(surface_.mesh, workers_);
+		return int(std::min(0.9 * area / (double(r_) * r_) + 1024, 1e8));
 	}
 
 	void growTo(int vertexRoom)
@@ -351,16 +350,9 @@ private:
 	}
 
 	/// A sample met by the flood that is nearer than the spacing and faces the same way, or -1.
-	/// Through space, the other side of a thin sheet is near too.
 	int findTooNear(const Sample& sample) const
 	{
-		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
-		for (int t : flood_.metSamples()) {
-			const float limit = nearLimit_ * 0.5f * (sample.size + samples_[t].size);
-			if (squaredLength(sample.point.position - placeOf(t)) >= limit * limit) continue;
-			if (dot(sample.normal, samples_[t].normal) >= sameSideCosine) return t;
-		}
-		return -1;
+		return gpr::findTooNear(flood_.metSamples(), samples_, sample, nearLimit_, true);
 	}
 
 	// ---- the new sample

@@ -337,9 +337,7 @@ private:
 		constexpr float coarseEdge = 0.5f; // of the disk's radius
 		const float     limit      = coarseEdge * coarseEdge * r_ * r_ * (size * size);
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
-			const float squared =
-				squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
-			if (squared > limit) return true;
+			if (squaredLength(m_.edgeVector(h)) > limit) return true;
 		}
 		return false;
 	}
@@ -363,7 +361,8 @@ private:
 	{
 		const Sample sample{place.point, m_.faceNormal(place.point.face), place.size};
 		flood_.explore(sample);
-		const int tooNear = findTooNear(sample, isUncovered);
+		const int tooNear =
+			findTooNear(flood_.metSamples(), shared_.samples, sample, nearLimit_, isUncovered);
 		if (tooNear >= 0) {
 			if (isUncovered) cover(place.point, tooNear);
 			return;
@@ -372,20 +371,6 @@ private:
 		shared_.samples[s] = sample;
 		flood_.commit(s);
 		extendFront(s);
-	}
-
-	/// A sample met by the flood and nearer than the spacing, or -1. For a vertex that must get a
-	/// sample only samples that face the same way count: through space, the other side of a thin
-	/// sheet is near too.
-	int findTooNear(const Sample& sample, bool sameSideOnly) const
-	{
-		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
-		for (int t : flood_.metSamples()) {
-			if (!isTooNear(sample.point.position, sample.size, t)) continue;
-			const float cosine = dot(sample.normal, shared_.samples[t].normal);
-			if (!sameSideOnly || cosine >= sameSideCosine) return t;
-		}
-		return -1;
 	}
 
 	void cover(const SurfacePoint& place, int sample)
@@ -597,15 +582,7 @@ std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& p
 	// Faces are ordered by their first corner, so the faces of a block are consecutive.
 	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
 		const auto firstFaceFrom = [&](int vertex) {
-			int low = 0, high = m.faceNum;
-			while (low < high) {
-				const int middle = low + (high - low) / 2;
-				if (m.origin[3 * middle] < vertex)
-					low = middle + 1;
-				else
-					high = middle;
-			}
-			return low;
+			return firstOf(m.faceNum, [&](int f) { return m.origin[3 * f] >= vertex; });
 		};
 		double    room = spareRoom;
 		const int end  = firstFaceFrom(partition.blocks[b].end);
@@ -687,11 +664,8 @@ void floodGiven(const BoundaryCurves& boundary, const Surface& surface, float ra
 	const OctreeBlocks        partition  = cutIntoBlocks(surface, blockWidth * radius, workers);
 	const std::vector<Block>& blocks     = partition.blocks;
 	const auto                blockOf    = [&](std::size_t s) {
-        const int  v = m.origin[3 * boundary.samples[s].point.face];
-        const auto next =
-            std::upper_bound(blocks.begin(), blocks.end(), v,
-											   [](int vertex, const Block& b) { return vertex < b.end; });
-        return int(next - blocks.begin());
+        const int v = m.origin[3 * boundary.samples[s].point.face];
+        return firstOf(int(blocks.size()), [&](int b) { return v < blocks[b].end; });
 	};
 	Buffer<int> start, given;
 	sortIntoBuckets(boundary.samples.size(), blocks.size(), blockOf, workers, start, given);

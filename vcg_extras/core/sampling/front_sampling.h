@@ -43,6 +43,23 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 					 const OctreeBlocks& partition, float radius, std::uint32_t seed,
 					 Workers& workers, const Buffer<char>& region = Buffer<char>());
 
+/// The first of some samples that is nearer to a new sample than nearLimit times the mean of both
+/// sizes, or -1. sameSideOnly: only samples that face the same way count, because through space the
+/// other side of a thin sheet is near too. This is for a vertex that must get a sample.
+template <class Samples>
+int findTooNear(const std::vector<int>& some, const Samples& samples, const Sample& made,
+				float nearLimit, bool sameSideOnly)
+{
+	constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
+	for (int t : some) {
+		const float limit = nearLimit * (0.5f * (made.size + samples[t].size));
+		const Vec3f way   = made.point.position - samples[t].point.position;
+		if (squaredLength(way) >= limit * limit) continue;
+		if (!sameSideOnly || dot(made.normal, samples[t].normal) >= sameSideCosine) return t;
+	}
+	return -1;
+}
+
 /// The last step of a sampling. Assigns each vertex of a curve to the nearest sample along its
 /// curve, and each cone apex to its own sample, with distance 0, whatever the interior chose. So no
 /// vertex of a curve can become the vertex of an interior sample.

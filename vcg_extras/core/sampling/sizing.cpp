@@ -317,11 +317,6 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 	return edge;
 }
 
-void multiply(const Buffer<float>& factor, Workers& workers, Buffer<float>& size)
-{
-	workers.forEach(size.size(), [&](int v) { size[v] *= factor[v]; });
-}
-
 Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	const bool onlyByError = !wantsOtherSizes(request);
@@ -332,8 +327,10 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 	}
 	else {
 		sizing.size = ungradedSizes(request, surface, workers);
-		if (request.options.adapt > 0)
-			multiply(errorSizes(request, surface, workers), workers, sizing.size);
+		if (request.options.adapt > 0) {
+			const Buffer<float> byError = errorSizes(request, surface, workers);
+			workers.forEach(byError.size(), [&](int v) { sizing.size[v] *= byError[v]; });
+		}
 		limitEdges(request, surface, workers, sizing.size);
 		// The slope depends on the radius, and the radius on the sizes. The sizes before grading
 		// give a radius that is good enough.

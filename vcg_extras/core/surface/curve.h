@@ -5,6 +5,8 @@
 
 #include <vcg_extras/core/vec.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace gpr {
@@ -22,6 +24,12 @@ struct Curve {
 	int pointNum() const { return int(point.size()); }
 	/// Arc length within the curve: once round if closed, else the nearer end.
 	float wrap(float s) const;
+	/// Arc length between two arcs, the shorter way round if closed.
+	float arcDistance(float a, float b) const
+	{
+		const float d = std::abs(a - b);
+		return isClosed ? std::min(d, length - d) : d;
+	}
 	/// The segment that holds arc length s, after wrapping.
 	int   segmentAt(float s) const;
 	int   faceAt(float s) const { return halfEdge[segmentAt(s)] / 3; }

@@ -26,7 +26,8 @@ Junctions::Junctions(const HalfEdgeMesh& mesh, const std::vector<Vec3f>& meeting
 void Junctions::findPlaces(const std::vector<Vec3f>& meetings, Workers& workers)
 {
 	const auto isMeeting = [&](int v) {
-		return std::binary_search(meetings.begin(), meetings.end(), m_.position[v], isBefore);
+		return std::binary_search(meetings.begin(), meetings.end(), m_.position[v],
+								  isBefore<float>);
 	};
 	std::vector<int> vertices = workers.collectIf(std::size_t(m_.vertexNum), [&](int v) {
 		return m_.outgoing[v] >= 0 && (m_.isBorderVertex(v) || isMeeting(v));
