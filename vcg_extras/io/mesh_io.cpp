@@ -143,6 +143,19 @@ void dropNamesBeyondHeader(MeshAttributes& attributes)
 	attributes.lost.push_back("the names of regions, which are too many for the header");
 }
 
+/// Tells of data that only some formats hold.
+void tellLost(MeshFormat format, MeshAttributes& attributes)
+{
+	const bool isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
+	const bool holdsPlain = format == MeshFormat::Off || format == MeshFormat::ThreeMf;
+	if (holdsPlain && attributes.any())
+		attributes.lost.push_back("any attribute, which this format does not hold");
+	else if (attributes.gltf != nullptr && !isGltf)
+		attributes.lost.push_back("images and properties of materials");
+	if (!attributes.unit.empty() && format != MeshFormat::ThreeMf)
+		attributes.lost.push_back("the unit '" + attributes.unit + "'");
+}
+
 } // namespace
 
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
@@ -150,12 +163,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 {
 	const MeshFormat format = formatOfPath(path);
 	OutputFile       out(path, limit);
-	const bool       isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
-	const bool       holdsPlain = format == MeshFormat::Off || format == MeshFormat::ThreeMf;
-	if (holdsPlain && attributes.any())
-		attributes.lost.push_back("any attribute, which this format does not hold");
-	else if (attributes.gltf != nullptr && !isGltf)
-		attributes.lost.push_back("images and properties of materials");
+	tellLost(format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:
 		dropNamesBeyondHeader(attributes);
@@ -177,7 +185,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeGltf(mesh, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::ThreeMf:
-		writeThreeMf(mesh, out);
+		writeThreeMf(mesh, attributes.unit, out);
 		break;
 	}
 	out.commit();

@@ -138,12 +138,14 @@ std::string gltfOfGlb(const std::string& glb);
 bool hasThreeMf();
 
 /// Reads the triangles of all objects that the file builds as one mesh, each object at its place.
-/// Coordinates are floats, in the unit of the file.
+/// Coordinates are floats, in the unit of the file. Names of objects and materials are named in
+/// `lost`.
 InputMesh readThreeMf(std::string_view file);
 
-/// Writes a single object with about seven digits. The format's unit stays millimetres. Throws
-/// AppError (Failure).
-void writeThreeMf(const TriangleMesh& mesh, OutputFile& out);
+/// Writes a single object with about seven digits; the same mesh gives the same bytes. unit: see
+/// MeshAttributes; empty: millimetres. Throws AppError (Failure), also for coordinates of a billion
+/// and more, and for coordinates below a millionth only.
+void writeThreeMf(const TriangleMesh& mesh, const std::string& unit, OutputFile& out);
 
 } // namespace gpr::app
 

@@ -172,6 +172,7 @@ public:
 		tile.attributes.texture    = chosen(attributes_.texture, faces);
 		tile.attributes.images     = seenFromInside(attributes_.images);
 		tile.attributes.gltf       = attributes_.gltf;
+		tile.attributes.unit       = attributes_.unit;
 		return tile;
 	}
 
