@@ -6,6 +6,7 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/mesh_formats.h>
+#include <vcg_extras/io/mesh/precision.h>
 #include <vcg_extras/io/text/text_lines.h>
 
 #include <filesystem>
@@ -158,11 +159,32 @@ void tellLost(MeshFormat format, MeshAttributes& attributes)
 
 } // namespace
 
+std::string nameOfFloatFormat(MeshFormat format)
+{
+	if (format == MeshFormat::Stl) return "STL";
+	if (format == MeshFormat::Glb || format == MeshFormat::Gltf) return "glTF";
+	return format == MeshFormat::ThreeMf ? "3MF" : "";
+}
+
+void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::string& path)
+{
+	const std::string name = nameOfFloatFormat(formatOfPath(path));
+	if (!doublePrecision || name.empty()) return;
+	const std::size_t num = facesSpoiledByFloat(mesh);
+	if (num == 0) return;
+	throw AppError(ExitCode::PromiseBroken,
+				   name + " holds floats only, which would spoil " + std::to_string(num) + " of " +
+					   std::to_string(mesh.faceNum()) + " faces of '" + path +
+					   "'; write PLY, OBJ or OFF, which keep the coordinates.");
+}
+
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit)
 {
+	requireFaces(mesh, doublePrecision, path);
 	const MeshFormat format = formatOfPath(path);
-	OutputFile       out(path, limit);
+	doublePrecision         = doublePrecision && nameOfFloatFormat(format).empty();
+	OutputFile out(path, limit);
 	tellLost(format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:

@@ -10,8 +10,8 @@
 
 namespace gpr::app {
 
-/// FNV-1a over words of eight bytes. Data added in parts have the same sum only if all parts but the
-/// last have lengths that are multiples of eight.
+/// FNV-1a over words of eight bytes. Data added in parts have the same sum only if all parts but
+/// the last have lengths that are multiples of eight.
 class Checksum {
 public:
 	void add(const char* data, std::size_t num)
