@@ -129,6 +129,18 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 
 namespace {
 
+/// Makes named materials of a texture a column of labels with names, as PLY holds names of labels
+/// only. Numbers of images stay numbers of images.
+void nameMaterials(MeshAttributes& attributes)
+{
+	std::vector<std::int32_t>& image = attributes.texture.image;
+	if (attributes.materials.empty() || image.empty()) return;
+	if (columnNamed(attributes.ofFaces, "material") != nullptr) return;
+	attributes.ofFaces.push_back(
+		{"material", PlyType::Int32, {image.begin(), image.end()}, attributes.materials});
+	image.clear();
+}
+
 /// Readers take a PLY header of a megabyte at most.
 void dropNamesBeyondHeader(MeshAttributes& attributes)
 {
@@ -153,6 +165,8 @@ void tellLost(MeshFormat format, MeshAttributes& attributes)
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	else if (attributes.gltf != nullptr && !isGltf)
 		attributes.lost.push_back("images and properties of materials");
+	if (!attributes.materialLibrary.empty() && format != MeshFormat::Obj && !holdsPlain)
+		attributes.lost.push_back("the name of the file of materials");
 	if (!attributes.unit.empty() && format != MeshFormat::ThreeMf)
 		attributes.lost.push_back("the unit '" + attributes.unit + "'");
 }
@@ -188,6 +202,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 	tellLost(format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:
+		nameMaterials(attributes);
 		dropNamesBeyondHeader(attributes);
 		writePly(mesh.view(), doublePrecision, attributes, out);
 		break;

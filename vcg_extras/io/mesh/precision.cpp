@@ -81,12 +81,14 @@ Vec3d normalOf(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 	return cross(b - a, c - a);
 }
 
-/// Whether a face with an area loses the area or turns over.
+/// Whether a face with an area loses the area or turns by more than 60 degrees.
 bool losesItsSide(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-	const auto  rounded = [](const Vec3d& p) { return Vec3d(Vec3f(p)); };
-	const Vec3d before = normalOf(a, b, c), after = normalOf(rounded(a), rounded(b), rounded(c));
-	return dot(before, before) > 0 && !(dot(before, after) > 0);
+	constexpr double leastCosine = 0.5;
+	const auto       rounded     = [](const Vec3d& p) { return Vec3d(Vec3f(p)); };
+	const Vec3d  before = normalOf(a, b, c), after = normalOf(rounded(a), rounded(b), rounded(c));
+	const double both = length(before) * length(after);
+	return length(before) > 0 && !(both > 0 && dot(before, after) >= leastCosine * both);
 }
 
 } // namespace

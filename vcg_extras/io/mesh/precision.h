@@ -21,7 +21,7 @@ bool floatResolves(double largestCoordinate, double edgeLen);
 void roundToFloat(InputMesh& mesh);
 
 /// How many faces floats would spoil: faces with a vertex that comes to the place of another
-/// vertex, and faces that lose their area or turn over. Cost: O(V log V).
+/// vertex, and faces that lose their area or turn by more than 60 degrees. Cost: O(V log V).
 std::size_t facesSpoiledByFloat(const TriangleMesh& mesh);
 
 /// Decides whether float suffices for a mesh read from text, held in double so far: float suffices
