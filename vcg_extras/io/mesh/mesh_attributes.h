@@ -67,6 +67,9 @@ struct MeshAttributes {
 	}
 };
 
+/// The sentence of a run about lost data; empty if nothing is lost.
+std::string noteOfLost(const std::vector<std::string>& lost);
+
 /// The texture coordinates of vertices, as coordinates of the corners of the triangles; empty
 /// without texture coordinates.
 CornerTexture textureOfVertices(const MeshAttributes& attributes, const MeshView& mesh);

@@ -206,9 +206,8 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	if (!line.pieces.empty())
 		run.files.push_back(
 			{path, std::int64_t(result.mesh.vertexNum()), std::int64_t(result.mesh.faceNum())});
-	if (!attributes.lost.empty())
-		run.notes.push_back(
-			noteOf(source, line, "Not carried over: " + listOf(attributes.lost) + "."));
+	const std::string lost = noteOfLost(attributes.lost);
+	if (!lost.empty()) run.notes.push_back(noteOf(source, line, lost));
 }
 
 /// The results of all files; each must have a face.
