@@ -39,14 +39,16 @@ protected:
 
 	InputMesh remeshed(const std::string& from, const std::string& to)
 	{
-		InputMesh     input = read(from);
+		InputMesh     input   = read(from);
+		const auto    texture = takeTexture(input.attributes, input.view(), true);
 		RemeshOptions options;
 		options.targetMode           = TargetMode::VertexNum;
 		options.targetVertexNum      = 200;
 		options.surfacePointsOfFaces = true;
 		const RemeshResult result    = remesh(input.view(), options);
 		EXPECT_EQ(result.status, Status::Ok) << result.message;
-		MeshAttributes carried = carryAttributes(input.attributes, input.view(), nullptr, result);
+		MeshAttributes carried =
+			carryAttributes(input.attributes, input.view(), texture.get(), result);
 		writeMesh(result.mesh, false, carried, to, RunLimit());
 		lost = carried.lost;
 		return read(to);
@@ -118,6 +120,26 @@ TEST_F(RegionsInFiles, NamesGoThroughPlyAndStlAndBack)
 	EXPECT_TRUE(lost.empty());
 	EXPECT_EQ(contentOf(path("out.stl")).substr(0, 13), "solid in let\n");
 	expectHalves(remeshed(path("out.stl"), path("again.obj")), "in let", "wall");
+}
+
+/// Beside texture coordinates materials are numbers of the texture.
+TEST_F(RegionsInFiles, MaterialsBesideATextureGoThroughPlyAndBack)
+{
+	std::string text = halvesObj("usemtl old oak\n", "usemtl ash\n");
+	for (std::size_t at = text.find("f "); at != text.npos; at = text.find("f ", at + 1)) {
+		for (std::size_t end = text.find_first_of(" \n", at + 2);;) {
+			text.insert(end, "/1");
+			if (text[end + 2] == '\n') break;
+			end = text.find_first_of(" \n", end + 3);
+		}
+	}
+	const std::string in = put("in.obj", "mtllib wood.mtl\nvt 0.5 0.25\n" + text);
+	EXPECT_TRUE(read(in).attributes.hasTexture());
+	expectHalves(remeshed(in, path("out.ply")), "old oak", "ash");
+	EXPECT_EQ(lost, std::vector<std::string>{"the name of the file of materials"});
+	expectHalves(remeshed(path("out.ply"), path("again.obj")), "old oak", "ash");
+	EXPECT_NE(contentOf(path("again.obj")).find("usemtl old oak\n"), std::string::npos);
+	expectHalves(remeshed(path("out.ply"), path("out.glb")), "old oak", "ash");
 }
 
 TEST_F(RegionsInFiles, NamesThatNoHeaderHoldsAreTold)

@@ -4,6 +4,8 @@
 #include "mesh_files.h"
 #include "program_runner.h"
 
+#include <vcg_extras/io/mesh_io.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -114,7 +116,10 @@ protected:
 		return run(options);
 	}
 
-	Json report() const { return Json::parse(content(path("report.json"))); }
+	Json report(const std::string& name = "report.json") const
+	{
+		return Json::parse(content(path(name)));
+	}
 };
 
 TEST_F(Features, HelpHasTheTablesRowsAndNoOthers)
@@ -218,6 +223,46 @@ TEST_F(Features, SelectionCanBeRemeshedByTheRegion)
 		run({"remesh", path("out.ply"), path("again.ply"), "--vertices", "500", "--feature-region",
 			 "selection", "--features", "off"});
 	EXPECT_EQ(remeshed.exitCode, 0) << remeshed.err;
+}
+
+/// Two triangles with a value of their own for all that a PLY file holds.
+TEST_F(Features, AttributesOfTheInputStay)
+{
+	const std::string in = put(
+		"in.ply",
+		"ply\nformat ascii 1.0\ncomment TextureFile oak.png\nelement vertex 4\nproperty float x\n"
+		"property float y\nproperty float z\nproperty uchar red\nproperty float heat\n"
+		"property int flags\nelement face 2\nproperty list uchar int vertex_indices\n"
+		"property int label\nproperty list uchar float texcoord\nend_header\n"
+		"0 0 0 1 0.5 32\n1 0 0 2 1.5 0\n1 1 0 3 2.5 0\n0 1 0 4 3.5 0\n"
+		"3 0 1 2 7 6 0 0 1 0 1 1\n3 0 2 3 9 6 0 0 1 1 0 1\n");
+	const ProgramResult done = run({"features", in, path("out.ply"), "--report", path("r.json")});
+	ASSERT_EQ(done.exitCode, 0) << done.err;
+	gpr::app::WantedAttributes wanted;
+	wanted.carried                       = true;
+	const gpr::app::InputMesh       mesh = gpr::app::readMesh(path("out.ply"), wanted);
+	const gpr::app::MeshAttributes& a    = mesh.attributes;
+	ASSERT_NE(a.ofVertex("heat"), nullptr);
+	EXPECT_EQ(a.ofVertex("heat")->values, (std::vector<double>{0.5, 1.5, 2.5, 3.5}));
+	ASSERT_EQ(a.ofFaces.size(), 1u);
+	EXPECT_EQ(a.ofFaces[0].values, (std::vector<double>{7, 9}));
+	EXPECT_EQ(a.texture.uv, (std::vector<float>{0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1}));
+	EXPECT_EQ(a.images, std::vector<std::string>{"oak.png"});
+	EXPECT_EQ(report("r.json")["notes"].back(),
+			  "Not carried over: the selection of vertices, 'red' of vertices.");
+}
+
+/// The border of regions is no crease.
+TEST_F(Features, LabelsDoNotMatter)
+{
+	std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+					   "property float y\nproperty float z\nelement face 2\n"
+					   "property list uchar int vertex_indices\nproperty int label\nend_header\n"
+					   "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 7\n3 0 2 3 9\n";
+	ASSERT_EQ(run({"features", put("in.ply", text), path("out.ply"), "--report", path("r.json")})
+				  .exitCode,
+			  0);
+	EXPECT_EQ(report("r.json")["features"]["edges"], 0);
 }
 
 TEST_F(Features, FloatsStayFloats)

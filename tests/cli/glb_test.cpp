@@ -312,6 +312,48 @@ TEST_F(GlbRoundTrip, KeepsMaterialsAndImagesAsTheyWere)
 	EXPECT_TRUE(lost_.empty());
 }
 
+/// Labels of PLY, groups of OBJ, solids of STL.
+TEST_F(GlbRoundTrip, RegionsBecomeMaterials)
+{
+	attributes_.ofFaces.push_back({"label", PlyType::Int32, {7, 3}});
+	const MeshAttributes labels = roundTrip().attributes;
+	EXPECT_EQ(labels.materials, (std::vector<std::string>{"label_3", "label_7"}));
+	EXPECT_TRUE(lost_.empty());
+	attributes_.ofFaces    = {{"group", PlyType::Int32, {0, 1}, {"wall", "in let"}},
+							  {"object", PlyType::Int32, {0, 0}, {"pipe"}}};
+	const InputMesh groups = roundTrip();
+	EXPECT_EQ(groups.attributes.materials, (std::vector<std::string>{"wall pipe", "in let pipe"}));
+	EXPECT_EQ(groups.attributes.ofFaces[0].values, (std::vector<double>{0, 1}));
+	EXPECT_TRUE(lost_.empty());
+	attributes_.ofFaces = {{"solid", PlyType::Int32, {0, 1}, {"", ""}}};
+	EXPECT_EQ(roundTrip().attributes.materials, (std::vector<std::string>{"solid_0", "solid_1"}));
+}
+
+TEST_F(GlbRoundTrip, MaterialsGoBeforeOtherRegions)
+{
+	attributes_.ofFaces = {{"group", PlyType::Int32, {0, 1}, {"wall", "in let"}},
+						   {"material", PlyType::Int32, {1, 0}, {"oak", "ash"}}};
+	EXPECT_EQ(roundTrip().attributes.materials, (std::vector<std::string>{"oak", "ash"}));
+	EXPECT_EQ(lost_, std::vector<std::string>{"'group' of faces"});
+}
+
+TEST_F(GlbRoundTrip, LevelsShareTheMaterialsOfTheirRegions)
+{
+	attributes_.ofFaces = {{"label", PlyType::Int32, {7, 3}}};
+	GlbLevel fine{mesh_, attributes_}, coarse{mesh_, attributes_};
+	coarse.mesh.triangles.resize(3);
+	coarse.attributes.ofFaces[0].values = {7};
+	OutputFile out(path_);
+	writeGlbLevels({fine, coarse}, out);
+	out.commit();
+	std::stringstream text;
+	text << std::ifstream(path_, std::ios::binary).rdbuf();
+	const GltfJson json = glbChunksOf(text.str()).json;
+	EXPECT_EQ(json["materials"].size(), 2u);
+	EXPECT_EQ(json["materials"][1]["name"], "label_7");
+	EXPECT_EQ(json["meshes"][1]["primitives"][0]["material"], 1);
+}
+
 TEST_F(GlbRoundTrip, GivesMaterialsOfOtherFilesByName)
 {
 	attributes_.materials = {"wood", "stone"};

@@ -9,9 +9,12 @@
 #include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gpr_test {
@@ -30,6 +33,83 @@ std::vector<Format> libraryFormats()
 {
 	return {{".gltf", "libtinygltf-dev", gpr::app::hasGltfText()},
 			{".3mf", "lib3mf-dev", gpr::app::hasThreeMf()}};
+}
+
+std::uint32_t crcOf(const std::string& bytes)
+{
+	std::uint32_t crc = 0xffffffff;
+	for (const char byte : bytes) {
+		crc ^= std::uint8_t(byte);
+		for (int bit = 0; bit < 8; ++bit)
+			crc = (crc >> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+	}
+	return ~crc;
+}
+
+/// An archive of files, names and contents, without compression.
+std::string zipOf(const std::vector<std::pair<std::string, std::string>>& files)
+{
+	std::string zip, index;
+	const auto  put = [](std::string& to, std::initializer_list<int> shorts) {
+        for (const int value : shorts)
+            putBinary(to, std::uint16_t(value), true);
+	};
+	for (const auto& [name, text] : files) {
+		const auto  at = std::uint32_t(zip.size());
+		std::string about; // the fields that both places have
+		put(about, {20, 0, 0, 0, 33});
+		for (const std::uint32_t value :
+			 {crcOf(text), std::uint32_t(text.size()), std::uint32_t(text.size())})
+			putBinary(about, value, true);
+		put(about, {int(name.size()), 0});
+		zip += "PK\3\4" + about + name + text;
+		index += "PK\1\2";
+		put(index, {20});
+		index += about;
+		put(index, {0, 0, 0, 0, 0});
+		putBinary(index, at, true);
+		index += name;
+	}
+	const auto begin = std::uint32_t(zip.size()), size = std::uint32_t(index.size());
+	zip += index + "PK\5\6";
+	put(zip, {0, 0, int(files.size()), int(files.size())});
+	putBinary(zip, size, true);
+	putBinary(zip, begin, true);
+	put(zip, {0});
+	return zip;
+}
+
+/// A 3MF file of one object. ofObject: attributes; resources: other resources, as XML.
+std::string threeMf(const TestMesh& mesh, const std::string& unit, const std::string& ofObject = "",
+					const std::string& resources = "")
+{
+	const std::string folder = "http://schemas.openxmlformats.org/package/2006/";
+	const std::string own    = "http://schemas.microsoft.com/3dmanufacturing/";
+	std::string       model  = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + unit +
+						"\" xml:lang=\"en-US\" xmlns=\"" + own + "core/2015/02\" xmlns:m=\"" + own +
+						"material/2015/02\"><resources>" + resources +
+						"<object id=\"1\" type=\"model\" " + ofObject + "><mesh><vertices>";
+	for (const auto& p : mesh.points)
+		model += "<vertex x=\"" + digits(p[0], 9) + "\" y=\"" + digits(p[1], 9) + "\" z=\"" +
+				 digits(p[2], 9) + "\"/>";
+	model += "</vertices><triangles>";
+	for (const auto& f : mesh.faces)
+		model += "<triangle v1=\"" + std::to_string(f[0]) + "\" v2=\"" + std::to_string(f[1]) +
+				 "\" v3=\"" + std::to_string(f[2]) + "\"/>";
+	model +=
+		"</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>";
+	return zipOf(
+		{{"[Content_Types].xml",
+		  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Types xmlns=\"" + folder +
+			  "content-types\"><Default Extension=\"rels\" ContentType=\"application/"
+			  "vnd.openxmlformats-package.relationships+xml\"/><Default Extension=\"model\" "
+			  "ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/></Types>"},
+		 {"_rels/.rels", "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Relationships xmlns=\"" +
+							 folder +
+							 "relationships\"><Relationship Target=\"/3D/3dmodel.model\" "
+							 "Id=\"r0\" Type=\"" +
+							 own + "2013/01/3dmodel\"/></Relationships>"},
+		 {"3D/3dmodel.model", model}});
 }
 
 } // namespace
@@ -64,6 +144,69 @@ TEST_F(LibraryFormats, HoldTheMeshOfBinaryGltf)
 		const ProgramResult again = run({"remesh", file, path("again.ply"), "--vertices", "60"});
 		EXPECT_EQ(again.exitCode, 0) << again.err;
 	}
+}
+
+/// The library's own numbers of the parts of a file are random.
+TEST_F(LibraryFormats, ThreeMfHasTheSameBytesInEveryRun)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	const std::string in = put("in.ply", binaryPly(sphere(20), true, false));
+	for (const char* name : {"a.3mf", "b.3mf"})
+		ASSERT_EQ(run({"remesh", in, path(name), "--vertices", "100"}).exitCode, 0);
+	ASSERT_EQ(run({"remesh", in, path("c.3mf"), "--vertices", "101"}).exitCode, 0);
+	EXPECT_EQ(content(path("a.3mf")), content(path("b.3mf")));
+	EXPECT_NE(content(path("a.3mf")), content(path("c.3mf")));
+}
+
+TEST_F(LibraryFormats, ThreeMfKeepsItsUnit)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	for (const std::string unit : {"micron", "millimeter", "centimeter", "inch", "foot", "meter"}) {
+		const std::string   in   = put("in.3mf", threeMf(sphere(20), unit));
+		const ProgramResult made = run({"remesh", in, path("out.3mf"), "--vertices", "100"});
+		ASSERT_EQ(made.exitCode, 0) << made.err;
+		EXPECT_EQ(made.out.find("Not carried over"), std::string::npos) << made.out;
+		gpr::app::WantedAttributes wanted;
+		EXPECT_EQ(gpr::app::readMesh(path("out.3mf"), wanted).attributes.unit, unit);
+	}
+}
+
+TEST_F(LibraryFormats, UnitThatNoOtherFormatHoldsIsTold)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	const std::string in = put("in.3mf", threeMf(sphere(20), "inch"));
+	for (const char* name : {"out.ply", "out.obj", "out.off", "out.stl", "out.glb"}) {
+		const ProgramResult made = run({"remesh", in, path(name), "--vertices", "100"});
+		EXPECT_NE(made.out.find("Not carried over: the unit 'inch'."), std::string::npos)
+			<< name << made.out;
+	}
+}
+
+TEST_F(LibraryFormats, MaterialsAndNamesOfThreeMfAreTold)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	const std::string materials =
+		"<basematerials id=\"2\"><base name=\"oak\" displaycolor=\"#FF0000\"/></basematerials>";
+	const std::string in = put(
+		"in.3mf", threeMf(sphere(20), "inch", "name=\"lid\" pid=\"2\" pindex=\"0\"", materials));
+	const ProgramResult made = run({"remesh", in, path("out.3mf"), "--vertices", "100"});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	EXPECT_NE(made.out.find("Not carried over: names of objects, materials."), std::string::npos)
+		<< made.out;
+}
+
+TEST_F(LibraryFormats, CoordinatesTooLargeForThreeMfAreTold)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	TestMesh mesh = sphere(20);
+	for (auto& p : mesh.points) {
+		for (double& c : p)
+			c *= 2e9;
+	}
+	const std::string in = put("in.ply", binaryPly(mesh, true, false));
+	expectFailure(run({"remesh", in, path("out.3mf"), "--vertices", "100"}), 1,
+				  "the coordinates are too large for 3MF, which lib3mf writes below 1,000,000,000");
+	EXPECT_FALSE(exists(path("out.3mf")));
 }
 
 TEST_F(LibraryFormats, AreNamedWithTheirLibraryWhereItIsMissing)

@@ -124,6 +124,26 @@ TEST(PlyAttributes, WhatIsMissingIsTold)
 	}
 }
 
+/// Also without other values, and only if anything is selected.
+TEST(PlyAttributes, ASelectionThatIsNotWantedIsTold)
+{
+	const std::vector<std::string> both = {"the selection of vertices", "the selection of faces"};
+	WantedAttributes               carried;
+	carried.carried = true;
+	for (const char* format : formats)
+		EXPECT_EQ(read(attributedPly(format), carried).attributes.lost, both) << format;
+	EXPECT_EQ(read(asciiWith("int flags", "0 0 0 0 0 1 0 32 1 0 0 256 "), carried).attributes.lost,
+			  std::vector<std::string>{both[0]});
+	EXPECT_TRUE(read(asciiWith("int flags", "0 0 0 0 0 1 0 2 1 0 0 256 "), carried)
+					.attributes.lost.empty());
+	WantedAttributes ofFaces = carried, ofVertices = carried;
+	ofFaces.faceSelection  = true;
+	ofVertices.ifSelected  = true;
+	const std::string file = attributedPly("ascii");
+	EXPECT_EQ(read(file, ofFaces).attributes.lost, std::vector<std::string>{both[0]});
+	EXPECT_EQ(read(file, ofVertices).attributes.lost, std::vector<std::string>{both[1]});
+}
+
 TEST(PlyAttributes, AListIsNoSelection)
 {
 	const std::string file = asciiWith("list uchar float selected", "0 0 0 0\n1 0 0 0\n0 1 0 0\n");

@@ -209,6 +209,15 @@ TEST(StlReader, NegativeZeroIsZeroAndNearIsNotEqual)
 	EXPECT_EQ(readStl(binaryStl(mesh)).vertexNum(), 5u);
 }
 
+TEST(StlReader, AttributeBytesAreTold)
+{
+	std::string file = binaryStl(sphere(2));
+	EXPECT_TRUE(gpr::app::readStl(file).attributes.lost.empty());
+	file.back() = '\x7c';
+	EXPECT_EQ(gpr::app::readStl(file).attributes.lost,
+			  std::vector<std::string>{"colours or other data in attribute bytes of facets"});
+}
+
 TEST(StlReader, SeveralSolidsAndAMissingEnd)
 {
 	const std::string two = asciiStl(grid(1)) + asciiStl(moved(grid(1), 5, 0, 0));

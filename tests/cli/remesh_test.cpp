@@ -5,6 +5,8 @@
 #include "program_runner.h"
 #include "surface_check.h"
 
+#include <vcg_extras/io/formats/mesh_formats.h>
+
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -684,6 +686,37 @@ TEST_F(Remesh, StlIsTakenAsFloatWithANote)
 	const ProgramResult result = run({"remesh", in, path("out.stl")});
 	EXPECT_EQ(result.exitCode, 0) << result.err;
 	EXPECT_NE(result.out.find("rounded to float"), std::string::npos);
+}
+
+/// Far from the origin floats are farther apart than the vertices of the result.
+TEST_F(Remesh, FormatsThatWouldSpoilFacesAreRefused)
+{
+	const std::string in = put("in.ply", binaryPly(moved(sphere(24), 5e7, 5e7, 5e7), true, true));
+	std::vector<std::string> refused = {"out.stl", "out.glb"};
+	if (gpr::app::hasGltfText()) refused.push_back("out.gltf");
+	if (gpr::app::hasThreeMf()) refused.push_back("out.3mf");
+	for (const std::string& name : refused) {
+		expectFailure(run({"remesh", in, path(name), "--vertices", "300"}), 4,
+					  "of 596 faces of '" + path(name) +
+						  "'; write PLY, OBJ or OFF, which keep the coordinates");
+		EXPECT_FALSE(exists(path(name)));
+	}
+	for (const char* name : {"out.ply", "out.obj", "out.off"}) {
+		EXPECT_EQ(run({"remesh", in, path(name), "--vertices", "300"}).exitCode, 0) << name;
+		EXPECT_EQ(info(path(name))["input"]["vertices"], 300) << name;
+	}
+	expectFailure(run({"levels", in, path("out.glb"), "--percent", "20,10"}), 4, "holds floats");
+	EXPECT_FALSE(exists(path("out.glb")));
+}
+
+/// The first file holds doubles, but is not written either.
+TEST_F(Remesh, NoFileIsWrittenIfAnotherWouldBeSpoiled)
+{
+	const std::string ply = put("a.ply", binaryPly(moved(sphere(12), 5e7, 0, 0), true, true));
+	const std::string stl = put("b.stl", asciiStl(moved(sphere(12), 5e7 + 3, 0, 0)));
+	expectFailure(run({"remesh", ply, stl, "--out-dir", path("out"), "--vertices", "300"}), 4,
+				  "STL holds floats only");
+	EXPECT_FALSE(exists(path("out/a.ply")));
 }
 
 TEST_F(Remesh, InfoTellsWhatIsThere)

@@ -6,6 +6,7 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/mesh_formats.h>
+#include <vcg_extras/io/mesh/precision.h>
 #include <vcg_extras/io/text/text_lines.h>
 
 #include <filesystem>
@@ -128,6 +129,18 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 
 namespace {
 
+/// Makes named materials of a texture a column of labels with names, as PLY holds names of labels
+/// only. Numbers of images stay numbers of images.
+void nameMaterials(MeshAttributes& attributes)
+{
+	std::vector<std::int32_t>& image = attributes.texture.image;
+	if (attributes.materials.empty() || image.empty()) return;
+	if (columnNamed(attributes.ofFaces, "material") != nullptr) return;
+	attributes.ofFaces.push_back(
+		{"material", PlyType::Int32, {image.begin(), image.end()}, attributes.materials});
+	image.clear();
+}
+
 /// Readers take a PLY header of a megabyte at most.
 void dropNamesBeyondHeader(MeshAttributes& attributes)
 {
@@ -143,21 +156,53 @@ void dropNamesBeyondHeader(MeshAttributes& attributes)
 	attributes.lost.push_back("the names of regions, which are too many for the header");
 }
 
-} // namespace
-
-void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-			   const std::string& path, const RunLimit& limit)
+/// Tells of data that only some formats hold.
+void tellLost(MeshFormat format, MeshAttributes& attributes)
 {
-	const MeshFormat format = formatOfPath(path);
-	OutputFile       out(path, limit);
-	const bool       isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
-	const bool       holdsPlain = format == MeshFormat::Off || format == MeshFormat::ThreeMf;
+	const bool isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
+	const bool holdsPlain = format == MeshFormat::Off || format == MeshFormat::ThreeMf;
 	if (holdsPlain && attributes.any())
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	else if (attributes.gltf != nullptr && !isGltf)
 		attributes.lost.push_back("images and properties of materials");
+	if (!attributes.materialLibrary.empty() && format != MeshFormat::Obj && !holdsPlain)
+		attributes.lost.push_back("the name of the file of materials");
+	if (!attributes.unit.empty() && format != MeshFormat::ThreeMf)
+		attributes.lost.push_back("the unit '" + attributes.unit + "'");
+}
+
+} // namespace
+
+std::string nameOfFloatFormat(MeshFormat format)
+{
+	if (format == MeshFormat::Stl) return "STL";
+	if (format == MeshFormat::Glb || format == MeshFormat::Gltf) return "glTF";
+	return format == MeshFormat::ThreeMf ? "3MF" : "";
+}
+
+void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::string& path)
+{
+	const std::string name = nameOfFloatFormat(formatOfPath(path));
+	if (!doublePrecision || name.empty()) return;
+	const std::size_t num = facesSpoiledByFloat(mesh);
+	if (num == 0) return;
+	throw AppError(ExitCode::PromiseBroken,
+				   name + " holds floats only, which would spoil " + std::to_string(num) + " of " +
+					   std::to_string(mesh.faceNum()) + " faces of '" + path +
+					   "'; write PLY, OBJ or OFF, which keep the coordinates.");
+}
+
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const RunLimit& limit)
+{
+	requireFaces(mesh, doublePrecision, path);
+	const MeshFormat format = formatOfPath(path);
+	doublePrecision         = doublePrecision && nameOfFloatFormat(format).empty();
+	OutputFile out(path, limit);
+	tellLost(format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:
+		nameMaterials(attributes);
 		dropNamesBeyondHeader(attributes);
 		writePly(mesh.view(), doublePrecision, attributes, out);
 		break;
@@ -177,7 +222,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeGltf(mesh, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::ThreeMf:
-		writeThreeMf(mesh, out);
+		writeThreeMf(mesh, attributes.unit, out);
 		break;
 	}
 	out.commit();

@@ -28,9 +28,17 @@ WantedAttributes neededBy(const RemeshOptions& options);
 /// (Usage) if the format has no such attribute.
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {});
 
+/// The name of a format that holds floats only; empty for all other formats.
+std::string nameOfFloatFormat(MeshFormat format);
+
+/// Throws AppError (PromiseBroken) if a mesh in double goes to a format that holds floats only, and
+/// floats would spoil faces: facesSpoiledByFloat.
+void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::string& path);
+
 /// Writes a mesh in the format of the path's extension; an older file is replaced only after
-/// success. Throws AppError (Failure) otherwise. Throws (Stopped), with the older file unchanged,
-/// if the run has to end. attributes.lost receives words for data that the format does not hold.
+/// success. Throws AppError (Failure) otherwise, and as requireFaces. Throws (Stopped), with the
+/// older file unchanged, if the run has to end. attributes.lost receives words for data that the
+/// format does not hold.
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit);
 

@@ -5,6 +5,7 @@
 #include "mesh_formats.h"
 
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/face_regions.h>
 #include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <algorithm>
@@ -96,6 +97,19 @@ public:
 	}
 };
 
+/// Whether neither materials nor images tell the materials, so that regions do.
+bool materialsAreRegions(const MeshAttributes& a)
+{
+	return a.gltf == nullptr && a.materials.empty() && a.images.empty();
+}
+
+/// A column of materials goes before other regions.
+FaceRegions regionsForMaterials(const MeshAttributes& a)
+{
+	const ValueColumn* const column = columnNamed(a.ofFaces, "material");
+	return column != nullptr && areLabels(*column) ? regionsIn(*column) : regionsOf(a);
+}
+
 class GlbWriting {
 public:
 	/// All levels share the parts, and the materials of the first.
@@ -109,17 +123,21 @@ public:
 		const FileVertices vertices = a_.hasTexture() ? verticesWithTexture(mesh_, a_.texture.uv)
 													  : verticesWithoutTexture(mesh_);
 		putVertices(vertices);
-		if (!parts_.json.contains("materials")) putMaterials();
+		if (materialsAreRegions(a_))
+			putRegions();
+		else if (!parts_.json.contains("materials"))
+			putMaterials();
 		if (parts_.json.contains("materials")) materialNum_ = parts_.json["materials"].size();
 		putFaces(vertices);
 	}
 
 private:
-	const TriangleMesh&   mesh_;
-	const MeshAttributes& a_;
-	GlbParts&             parts_;
-	GltfJson              attributes_  = GltfJson::object();
-	std::size_t           materialNum_ = 0;
+	const TriangleMesh&       mesh_;
+	const MeshAttributes&     a_;
+	GlbParts&                 parts_;
+	GltfJson                  attributes_  = GltfJson::object();
+	std::size_t               materialNum_ = 0;
+	std::vector<std::int64_t> region_; ///< per face: the material of its region; empty without
 
 	void putVertices(const FileVertices& vertices)
 	{
@@ -207,8 +225,9 @@ private:
 		if (a_.gltf != nullptr)
 			putGltfMaterials(*a_.gltf);
 		else if (!a_.materials.empty())
-			putNamedMaterials();
-		else if (a_.hasTexture())
+			for (const std::string& name : a_.materials)
+				putMaterial(name);
+		else
 			putImages();
 	}
 
@@ -224,11 +243,38 @@ private:
 		}
 	}
 
-	void putNamedMaterials()
+	void putMaterial(const std::string& name)
 	{
-		for (const std::string& name : a_.materials)
-			parts_.json["materials"].push_back(
-				{{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+		parts_.json["materials"].push_back(
+			{{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+	}
+
+	/// A material for each region. Levels have the same names, and share the materials.
+	void putRegions()
+	{
+		const FaceRegions                    regions = regionsForMaterials(a_);
+		std::map<std::int32_t, std::int64_t> number;
+		for (const std::int32_t label : regions.label)
+			number.emplace(label, 0);
+		for (auto& [label, material] : number) {
+			const std::string name = regions.nameOf(label);
+			material = materialNamed(name.empty() ? regions.prefix + std::to_string(label) : name);
+		}
+		for (const std::int32_t label : regions.label)
+			region_.push_back(number[label]);
+	}
+
+	/// The number of the material with this name, a new one if there is none.
+	std::int64_t materialNamed(const std::string& name)
+	{
+		GltfJson&    materials = parts_.json["materials"];
+		std::int64_t number    = 0;
+		for (const GltfJson& material : materials) {
+			if (material["name"] == name) return number;
+			++number;
+		}
+		putMaterial(name);
+		return number;
 	}
 
 	/// A material for each file of an image.
@@ -247,6 +293,7 @@ private:
 
 	std::int64_t materialOf(std::size_t f) const
 	{
+		if (!region_.empty()) return region_[f];
 		if (!a_.texture.image.empty()) return a_.texture.image[f];
 		const ValueColumn* const column = columnNamed(a_.ofFaces, "material");
 		return column != nullptr ? std::int64_t(column->values[f]) : 0;
@@ -327,8 +374,12 @@ void tellLost(const MeshAttributes& attributes, std::vector<std::string>& lost)
 		if (!isOneOf(column.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
 			lost.push_back("'" + column.name + "' of vertices");
 	}
+	const bool regionsToo =
+		materialsAreRegions(attributes) && columnNamed(attributes.ofFaces, "material") == nullptr;
 	for (const ValueColumn& column : attributes.ofFaces) {
-		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");
+		const bool isRegion = regionsToo && tellsRegions(column.name) && areLabels(column);
+		if (column.name != "material" && !isRegion)
+			lost.push_back("'" + column.name + "' of faces");
 	}
 }
 

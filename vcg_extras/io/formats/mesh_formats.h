@@ -35,9 +35,10 @@ InputMesh lookAtPly(std::string_view file);
 /// vertices' property "quality"; a bit for the selection in "flags" of vertices and faces. A
 /// property "selected" other than 0 selects, too. If vertices are wanted and no vertex is selected,
 /// the corners of selected faces are selected. All other scalar properties are carried, and the
-/// texture coordinates "texcoord" and "texnumber" of faces; other lists are named in `lost`. A
-/// second pass over the file, value by value, so that reading stays fast for files without
-/// attributes. Throws AppError (BadInput) for a missing required attribute, too.
+/// texture coordinates "texcoord" and "texnumber" of faces; other lists, and a selection that is
+/// not wanted, are named in `lost`. A second pass over the file, value by value, so that reading
+/// stays fast for files without attributes. Throws AppError (BadInput) for a missing required
+/// attribute, too.
 void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, InputMesh& mesh);
 
 /// Writes a binary little endian file with positions as double or float, triangles, and every
@@ -78,6 +79,7 @@ void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 /// Reads ASCII or, by all threads, binary, for any first word; corners at exactly the same position
 /// become one vertex, in the order of their first use. ASCII: keywords in any case, names of any
 /// words, several solids, which are regions of faces; a note tells of a solid without end.
+/// Attribute bytes of a binary file are named in `lost`.
 InputMesh readStl(std::string_view file);
 
 /// Writes binary, which holds floats only; ASCII with a solid for each of several regions.
@@ -138,12 +140,14 @@ std::string gltfOfGlb(const std::string& glb);
 bool hasThreeMf();
 
 /// Reads the triangles of all objects that the file builds as one mesh, each object at its place.
-/// Coordinates are floats, in the unit of the file.
+/// Coordinates are floats, in the unit of the file. Names of objects and materials are named in
+/// `lost`.
 InputMesh readThreeMf(std::string_view file);
 
-/// Writes a single object with about seven digits. The format's unit stays millimetres. Throws
-/// AppError (Failure).
-void writeThreeMf(const TriangleMesh& mesh, OutputFile& out);
+/// Writes a single object with about seven digits; the same mesh gives the same bytes. unit: see
+/// MeshAttributes; empty: millimetres. Throws AppError (Failure), also for coordinates of a billion
+/// and more, and for coordinates below a millionth only.
+void writeThreeMf(const TriangleMesh& mesh, const std::string& unit, OutputFile& out);
 
 } // namespace gpr::app
 

@@ -100,11 +100,16 @@ void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& s
 	const SelectionColumns selection(e);
 	CarriedColumns         carried(e, wanted.carried);
 	PlyRecord              record;
+	bool                   anySelected = false;
 	for (std::uint64_t v = 0; v < e.count; ++v) {
 		readRecord(e, {}, source, record);
-		if (wanted.ofSelectedVertices() && selection.isSelected(record)) mesh.selected[v] = 1;
+		const bool isSelected = selection.isSelected(record);
+		if (wanted.ofSelectedVertices() && isSelected) mesh.selected[v] = 1;
+		anySelected = anySelected || isSelected;
 		carried.take(record);
 	}
+	if (wanted.carried && anySelected && !wanted.ofSelectedVertices())
+		mesh.attributes.lost.push_back("the selection of vertices");
 	mesh.attributes.ofVertices = std::move(carried.columns);
 }
 
@@ -121,16 +126,21 @@ public:
 	template <class Source>
 	void read(const PlyElement& e, Source& source, InputMesh& mesh)
 	{
-		const bool cornersToo = wanted_.selection && !mesh.view().anySelected();
+		const bool cornersToo  = wanted_.selection && !mesh.view().anySelected();
+		bool       anySelected = false;
 		PlyRecord  record;
 		for (std::uint64_t f = 0; f < e.count; ++f) {
 			readRecord(e, kept_, source, record);
 			order_.add(record.corners.data(), record.corners.size());
 			carried_.take(record);
 			if (kept_.texture >= 0) takeTexture(record);
-			if (wanted_.faceSelection) selected_.push_back(selection_.isSelected(record));
-			if (cornersToo && selection_.isSelected(record)) selectCorners(record, mesh);
+			const bool isSelected = selection_.isSelected(record);
+			if (wanted_.faceSelection) selected_.push_back(isSelected);
+			if (cornersToo && isSelected) selectCorners(record, mesh);
+			anySelected = anySelected || isSelected;
 		}
+		if (wanted_.carried && anySelected && !wanted_.faceSelection && !cornersToo)
+			mesh.attributes.lost.push_back("the selection of faces");
 	}
 
 	void giveTo(InputMesh& mesh)
@@ -186,6 +196,7 @@ private:
 bool wantsFaces(const PlyElement& e, const WantedAttributes& wanted)
 {
 	if (wanted.selection || wanted.faceSelection) return true;
+	if (wanted.carried && SelectionColumns(e).exist()) return true; // to tell a loss
 	return CarriedColumns(e, wanted.carried).any() ||
 		   (wanted.carried && TextureProperties(e).coordinates >= 0);
 }
@@ -193,8 +204,8 @@ bool wantsFaces(const PlyElement& e, const WantedAttributes& wanted)
 bool wantsElement(const PlyElement& e, const WantedAttributes& wanted)
 {
 	if (e.name == "vertex") {
-		const bool selection =
-			wanted.selection || (wanted.ifSelected && SelectionColumns(e).exist());
+		const bool selection = wanted.selection || ((wanted.ifSelected || wanted.carried) &&
+													SelectionColumns(e).exist());
 		return selection || CarriedColumns(e, wanted.carried).any();
 	}
 	return e.name == "face" && wantsFaces(e, wanted);

@@ -85,6 +85,15 @@ public:
 		return key;
 	}
 
+	/// Whether any facet has attribute bytes other than zero: by some programs a colour.
+	bool anyAttributes() const
+	{
+		for (std::size_t end = stlFacetBytes; end <= stlFacetBytes * num_; end += stlFacetBytes) {
+			if (begin_[end - 1] != 0 || begin_[end - 2] != 0) return true;
+		}
+		return false;
+	}
+
 private:
 	const char* begin_;
 	std::size_t num_;

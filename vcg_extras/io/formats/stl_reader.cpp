@@ -219,6 +219,8 @@ InputMesh readBinaryStl(std::string_view file)
 	Buffer<int> first = FirstCorners(facets, workers).find();
 	InputMesh   mesh;
 	numberVertices(facets, first, mesh);
+	if (facets.anyAttributes())
+		mesh.attributes.lost.push_back("colours or other data in attribute bytes of facets");
 	return mesh;
 }
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_formats.h"
 
+#include <vcg_extras/io/base/checksum.h>
 #include <vcg_extras/io/base/exit_code.h>
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <iterator>
 #include <vector>
 
 namespace gpr::app {
@@ -48,6 +51,71 @@ void requireWritten(LIB3MFRESULT result)
 	require(result, ExitCode::Failure, "lib3mf could not write the mesh.");
 }
 
+// ---- reading
+
+/// The units of the format, by their number in the library.
+constexpr const char* unitNames[] = {"micron", "millimeter", "centimeter", "inch", "foot", "meter"};
+
+std::string unitOf(Instance model)
+{
+	DWORD unit = NMR::MODELUNIT_MILLIMETER;
+	requireRead(NMR::lib3mf_model_getunit(model, &unit));
+	return unit < std::size(unitNames) ? unitNames[unit] : "";
+}
+
+/// Calls use(object) for each mesh of a model.
+template <class Use>
+void forEachMesh(Instance model, Use use)
+{
+	Handle objects;
+	requireRead(NMR::lib3mf_model_getmeshobjects(model, objects.put()));
+	for (;;) {
+		BOOL hasNext = 0;
+		requireRead(NMR::lib3mf_resourceiterator_movenext(objects, &hasNext));
+		if (!hasNext) return;
+		Handle object;
+		requireRead(NMR::lib3mf_resourceiterator_getcurrent(objects, object.put()));
+		use(object);
+	}
+}
+
+bool hasName(Instance object)
+{
+	ULONG size = 0; // with a zero at the end
+	requireRead(NMR::lib3mf_object_getnameutf8(object, nullptr, 0, &size));
+	return size > 1;
+}
+
+/// Whether the whole object or one of its triangles has a material, a colour or an image.
+bool hasMaterials(Instance object)
+{
+	using NMR::eModelPropertyType;
+	Handle             ofObject, ofTriangles;
+	eModelPropertyType type = NMR::MODELPROPERTYTYPE_NONE;
+	requireRead(NMR::lib3mf_object_createdefaultpropertyhandler(object, ofObject.put()));
+	requireRead(NMR::lib3mf_defaultpropertyhandler_getpropertytype(ofObject, &type));
+	if (type != NMR::MODELPROPERTYTYPE_NONE) return true;
+	DWORD faceNum = 0;
+	requireRead(NMR::lib3mf_meshobject_gettrianglecount(object, &faceNum));
+	requireRead(NMR::lib3mf_meshobject_createpropertyhandler(object, ofTriangles.put()));
+	for (DWORD f = 0; f < faceNum; ++f) {
+		requireRead(NMR::lib3mf_propertyhandler_getpropertytype(ofTriangles, f, &type));
+		if (type != NMR::MODELPROPERTYTYPE_NONE) return true;
+	}
+	return false;
+}
+
+void tellLost(Instance model, std::vector<std::string>& lost)
+{
+	bool named = false, material = false;
+	forEachMesh(model, [&](Instance object) {
+		named    = named || hasName(object);
+		material = material || hasMaterials(object);
+	});
+	if (named) lost.push_back("names of objects");
+	if (material) lost.push_back("materials");
+}
+
 void addObject(Instance object, InputMesh& mesh)
 {
 	DWORD vertexNum = 0, faceNum = 0;
@@ -69,14 +137,20 @@ void addObject(Instance object, InputMesh& mesh)
 	}
 }
 
+// ---- writing
+
 /// The library writes six digits behind the point. Coordinates of small meshes are written times
 /// this power of ten, and the place where the object is built divides by it.
 double scaleFor(const TriangleMesh& mesh)
 {
 	constexpr double enough = 100, largestScale = 1e6;
-	double           largest = 0;
+	constexpr double tooLarge = 1e9; // for the library, which refuses such vertices
+	double           largest  = 0;
 	for (const Vec3d& p : mesh.positions)
 		largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+	if (largest >= tooLarge)
+		throw AppError(ExitCode::Failure, "the coordinates are too large for 3MF, which lib3mf "
+										  "writes below 1,000,000,000.");
 	double scale = 1;
 	while (scale * largest < enough && scale < largestScale)
 		scale *= 10;
@@ -94,6 +168,52 @@ NMR::MODELTRANSFORM dividedBy(double scale)
 	return transform;
 }
 
+/// The unit of a mesh, or the unit of the format without another.
+NMR::eModelUnit unitNamed(const std::string& name)
+{
+	for (std::size_t i = 0; i < std::size(unitNames); ++i) {
+		if (name == unitNames[i]) return NMR::eModelUnit(i);
+	}
+	return NMR::MODELUNIT_MILLIMETER;
+}
+
+/// Numbers for the parts of a file. The library's own are random, but the same mesh gives the same
+/// bytes in every run.
+class PartNumbers {
+public:
+	PartNumbers(const std::vector<NMR::MODELMESHVERTEX>&   vertices,
+				const std::vector<NMR::MODELMESHTRIANGLE>& faces)
+	{
+		add(vertices);
+		add(faces);
+	}
+
+	/// A UUID of version 8, whose bits are free: two sums over the mesh and the part.
+	std::string of(const std::string& part) const
+	{
+		const auto high = sumWith(part + " 1"), low = sumWith(part + " 2");
+		char       text[40];
+		std::snprintf(text, sizeof text, "%08llx-%04llx-8%03llx-9%03llx-%012llx", high >> 32,
+					  high >> 16 & 0xffff, high & 0xfff, low >> 52, low & 0xffffffffffff);
+		return text;
+	}
+
+private:
+	Checksum sum_;
+
+	template <class T>
+	void add(const std::vector<T>& values)
+	{
+		sum_.add(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+	}
+	unsigned long long sumWith(const std::string& text) const
+	{
+		Checksum sum = sum_;
+		sum.add(text.data(), text.size());
+		return sum.value();
+	}
+};
+
 } // namespace
 
 bool hasThreeMf()
@@ -103,26 +223,20 @@ bool hasThreeMf()
 
 InputMesh readThreeMf(std::string_view file)
 {
-	Handle model, reader, merged, objects;
+	Handle model, reader, merged;
 	requireRead(NMR::lib3mf_createmodel(model.put()));
 	requireRead(NMR::lib3mf_model_queryreader(model, "3mf", reader.put()));
 	std::vector<BYTE> bytes(file.begin(), file.end());
 	requireRead(NMR::lib3mf_reader_readfrombuffer(reader, bytes.data(), bytes.size()));
 	requireRead(NMR::lib3mf_model_mergetomodel(model, merged.put()));
-	requireRead(NMR::lib3mf_model_getmeshobjects(merged, objects.put()));
 	InputMesh mesh;
-	for (;;) {
-		BOOL hasNext = 0;
-		requireRead(NMR::lib3mf_resourceiterator_movenext(objects, &hasNext));
-		if (!hasNext) break;
-		Handle object;
-		requireRead(NMR::lib3mf_resourceiterator_getcurrent(objects, object.put()));
-		addObject(object, mesh);
-	}
+	forEachMesh(merged, [&](Instance object) { addObject(object, mesh); });
+	mesh.attributes.unit = unitOf(model);
+	tellLost(model, mesh.attributes.lost);
 	return mesh;
 }
 
-void writeThreeMf(const TriangleMesh& mesh, OutputFile& out)
+void writeThreeMf(const TriangleMesh& mesh, const std::string& unit, OutputFile& out)
 {
 	std::vector<NMR::MODELMESHVERTEX> vertices;
 	const double                      scale = scaleFor(mesh);
@@ -135,12 +249,17 @@ void writeThreeMf(const TriangleMesh& mesh, OutputFile& out)
 	}
 	Handle model, object, item, writer;
 	requireWritten(NMR::lib3mf_createmodel(model.put()));
+	requireWritten(NMR::lib3mf_model_setunit(model, unitNamed(unit)));
 	requireWritten(NMR::lib3mf_model_addmeshobject(model, object.put()));
 	requireWritten(NMR::lib3mf_meshobject_setgeometry(
 		object, vertices.data(), DWORD(vertices.size()), faces.data(), DWORD(faces.size())));
 	NMR::MODELTRANSFORM place = dividedBy(scale);
 	requireWritten(
 		NMR::lib3mf_model_addbuilditem(model, object, scale > 1 ? &place : nullptr, item.put()));
+	const PartNumbers number(vertices, faces);
+	requireWritten(NMR::lib3mf_model_setbuilduuidutf8(model, number.of("build").c_str()));
+	requireWritten(NMR::lib3mf_object_setuuidutf8(object, number.of("object").c_str()));
+	requireWritten(NMR::lib3mf_builditem_setuuidutf8(item, number.of("item").c_str()));
 	requireWritten(NMR::lib3mf_model_querywriter(model, "3mf", writer.put()));
 	ULONG64 size = 0;
 	requireWritten(NMR::lib3mf_writer_getstreamsize(writer, &size));

@@ -16,7 +16,7 @@ InputMesh readThreeMf(std::string_view)
 	throw AppError(ExitCode::BadInput, "this build has no lib3mf");
 }
 
-void writeThreeMf(const TriangleMesh&, OutputFile&)
+void writeThreeMf(const TriangleMesh&, const std::string&, OutputFile&)
 {
 	throw AppError(ExitCode::Failure, "this build has no lib3mf.");
 }

@@ -11,6 +11,14 @@ bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 
+std::string noteOfLost(const std::vector<std::string>& lost)
+{
+	std::string list;
+	for (const std::string& words : lost)
+		list += (list.empty() ? "" : ", ") + words;
+	return list.empty() ? "" : "Not carried over: " + list + ".";
+}
+
 namespace {
 
 /// The names of texture coordinates in files of several programs.

@@ -53,6 +53,7 @@ struct MeshAttributes {
 	std::vector<std::string> materials;        ///< OBJ: names; the texture's images are materials
 	std::string              materialLibrary;  ///< OBJ: the file of the materials
 	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: the materials, or null
+	std::string unit; ///< 3MF: of the coordinates, as the file names it; empty: not told
 	std::vector<std::string> lost; ///< words for data of the file that this struct has not
 
 	bool hasTexture() const { return !texture.uv.empty(); }
@@ -65,6 +66,9 @@ struct MeshAttributes {
 		return columnNamed(ofVertices, name);
 	}
 };
+
+/// The sentence of a run about lost data; empty if nothing is lost.
+std::string noteOfLost(const std::vector<std::string>& lost);
 
 /// The texture coordinates of vertices, as coordinates of the corners of the triangles; empty
 /// without texture coordinates.

@@ -6,7 +6,6 @@
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/features_report.h>
 #include <vcg_extras/io/report/remesh_outcome.h>
@@ -43,8 +42,11 @@ Colour colourOf(float strengthDeg, std::uint8_t feature)
 
 InputMesh readAll(const std::string& path, const RunLimit& limit)
 {
-	const EndAtOnce guard(limit);
-	return readMesh(path);
+	const EndAtOnce  guard(limit);
+	WantedAttributes wanted;
+	wanted.carried = true;
+	wanted.regions = noRegions; // their borders are no creases
+	return readMesh(path, wanted);
 }
 
 FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
@@ -65,30 +67,47 @@ FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
 }
 
 /// Selection, strength and colour of the vertices, in MeshLab's names.
-MeshAttributes attributesOf(const FeatureResult& found)
+std::vector<ValueColumn> columnsOf(const FeatureResult& found)
 {
-	MeshAttributes attributes;
-	attributes.ofVertices = {{"flags", PlyType::Int32, {}}, {"quality", PlyType::Float32, {}},
-							 {"red", PlyType::UInt8, {}},   {"green", PlyType::UInt8, {}},
-							 {"blue", PlyType::UInt8, {}},  {"alpha", PlyType::UInt8, {}}};
+	std::vector<ValueColumn> columns = {
+		{"flags", PlyType::Int32, {}}, {"quality", PlyType::Float32, {}},
+		{"red", PlyType::UInt8, {}},   {"green", PlyType::UInt8, {}},
+		{"blue", PlyType::UInt8, {}},  {"alpha", PlyType::UInt8, {}}};
 	for (std::size_t v = 0; v < found.vertexStrength.size(); ++v) {
 		const float        strength = found.vertexStrength[v];
 		const Colour       c        = colourOf(strength, found.vertexFeature[v]);
 		const std::int64_t flags    = found.vertexFeature[v] != 0 ? selectedPlyFlag : 0;
 		const double       values[] = {double(flags),   strength,       double(c.red),
 									   double(c.green), double(c.blue), 255};
-		for (std::size_t i = 0; i < attributes.ofVertices.size(); ++i)
-			attributes.ofVertices[i].values.push_back(values[i]);
+		for (std::size_t i = 0; i < columns.size(); ++i)
+			columns[i].values.push_back(values[i]);
 	}
-	return attributes;
+	return columns;
 }
 
-void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path,
+/// Puts columns of the vertices in place of the columns of the same names, which are lost.
+void putColumns(std::vector<ValueColumn> columns, MeshAttributes& attributes)
+{
+	for (ValueColumn& before : attributes.ofVertices) {
+		if (columnNamed(columns, before.name) == nullptr)
+			columns.push_back(std::move(before));
+		else
+			attributes.lost.push_back("'" + before.name + "' of vertices");
+	}
+	attributes.ofVertices = std::move(columns);
+}
+
+/// The mesh of the file and its attributes; adds to `lost` of the attributes.
+void writeFeatures(InputMesh& mesh, const FeatureResult& found, const std::string& path,
 				   const RunLimit& limit)
 {
-	OutputFile out(path, limit);
-	writePly(mesh.view(), mesh.doublePrecision, attributesOf(found), out);
-	out.commit();
+	putColumns(columnsOf(found), mesh.attributes);
+	const MeshView view = mesh.view();
+	TriangleMesh   same;
+	same.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+	for (std::size_t v = 0; v < view.vertexNum; ++v)
+		same.positions.push_back(view.position(v));
+	writeMesh(same, mesh.doublePrecision, mesh.attributes, path, limit);
 }
 
 FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureResult& found)
@@ -101,6 +120,8 @@ FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureR
 	record.figures         = found.figures;
 	record.notes           = mesh.notes;
 	record.notes.insert(record.notes.end(), found.notes.begin(), found.notes.end());
+	const std::string lost = noteOfLost(mesh.attributes.lost);
+	if (!lost.empty()) record.notes.push_back(lost);
 	record.report = std::move(found.report);
 	return record;
 }
@@ -112,9 +133,9 @@ void runFeatures(const CommandLine& line, const Stopwatch& programClock)
 	checkWritable(line.output);
 	if (!line.report.empty()) checkWritable(line.report);
 	catchStopSignals();
-	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
-	const InputMesh mesh  = readAll(line.input, limit);
-	FeatureResult   found = detectWithProgress(mesh, line, limit);
+	const RunLimit limit(programClock, line.options.timeLimitSeconds);
+	InputMesh      mesh  = readAll(line.input, limit);
+	FeatureResult  found = detectWithProgress(mesh, line, limit);
 	writeFeatures(mesh, found, line.output, limit);
 	const FeaturesRecord record = recordOf(line, mesh, found);
 	if (!line.report.empty()) writeText(line.report, featuresJson(record));

@@ -133,18 +133,6 @@ void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes&
 		writeMesh(mesh, doublePrecision, attributes, path, limit);
 }
 
-/// Notes the rounding to float for formats without doubles.
-void dropDoubles(MeshFormat format, bool& isDouble, std::vector<std::string>& notes)
-{
-	std::string name;
-	if (format == MeshFormat::Stl) name = "STL";
-	if (format == MeshFormat::Glb || format == MeshFormat::Gltf) name = "glTF";
-	if (format == MeshFormat::ThreeMf) name = "3MF";
-	if (name.empty() || !isDouble) return;
-	isDouble = false;
-	notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
-}
-
 std::string listOf(const std::vector<std::string>& words)
 {
 	std::string list;
@@ -188,15 +176,26 @@ struct SharedByLevels {
 	std::vector<GlbLevel>* file     = nullptr; ///< of all levels; null: each has its own file
 };
 
+/// Throws AppError if the format of a result would spoil the faces.
+void requireFormat(const Source& source, const RemeshResult& result, const CommandLine& line)
+{
+	if (line.outTileNum == 0)
+		requireFaces(result.mesh, needsDoubleOutput(source.mesh, result), targetOf(source, line));
+}
+
 /// Writes the result of a source; uses up the attributes of the source.
 void writeSource(Source& source, const RemeshResult& result, const CommandLine& line,
 				 const RunLimit& limit, const SharedByLevels& shared, RunRecord& run)
 {
 	const std::string path     = targetOf(source, line);
-	bool              isDouble = needsDoubleOutput(source.mesh, result);
-	dropDoubles(line.outTileNum > 0 ? MeshFormat::Ply : formatOfPath(path), isDouble, run.notes);
+	const bool        isDouble = needsDoubleOutput(source.mesh, result);
+	const std::string floatFormat =
+		line.outTileNum > 0 ? "" : nameOfFloatFormat(formatOfPath(path));
+	if (isDouble && !floatFormat.empty())
+		run.notes.push_back(floatFormat +
+							" holds floats only; the coordinates were rounded to float.");
 	run.inputDouble           = run.inputDouble || source.mesh.doublePrecision;
-	run.outputDouble          = run.outputDouble || isDouble;
+	run.outputDouble          = run.outputDouble || (isDouble && floatFormat.empty());
 	MeshAttributes attributes = carriedAttributes(source, result, line, limit);
 	if (shared.file != nullptr) {
 		const double error = run.report.provenDistance.hausdorff().upper;
@@ -207,9 +206,8 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	if (!line.pieces.empty())
 		run.files.push_back(
 			{path, std::int64_t(result.mesh.vertexNum()), std::int64_t(result.mesh.faceNum())});
-	if (!attributes.lost.empty())
-		run.notes.push_back(
-			noteOf(source, line, "Not carried over: " + listOf(attributes.lost) + "."));
+	const std::string lost = noteOfLost(attributes.lost);
+	if (!lost.empty()) run.notes.push_back(noteOf(source, line, lost));
 }
 
 /// The results of all files; each must have a face.
@@ -257,8 +255,13 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	run.report = std::move(result.report);
 	std::vector<RemeshResult> pieces;
 	if (joined) pieces = piecesOf(*joined, result, sources);
+	const auto resultOf = [&](std::size_t k) -> const RemeshResult& {
+		return joined ? pieces[k] : result;
+	};
+	for (std::size_t k = 0; k < sources.size(); ++k) // before any file is written
+		requireFormat(sources[k], resultOf(k), line);
 	for (std::size_t k = 0; k < sources.size(); ++k)
-		writeSource(sources[k], joined ? pieces[k] : result, line, limit, shared, run);
+		writeSource(sources[k], resultOf(k), line, limit, shared, run);
 	return run;
 }
 

@@ -171,7 +171,9 @@ public:
 		tile.attributes.ofFaces    = chosen(attributes_.ofFaces, faces);
 		tile.attributes.texture    = chosen(attributes_.texture, faces);
 		tile.attributes.images     = seenFromInside(attributes_.images);
+		tile.attributes.materials  = attributes_.materials;
 		tile.attributes.gltf       = attributes_.gltf;
+		tile.attributes.unit       = attributes_.unit;
 		return tile;
 	}
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.h"
 
+#include <vcg_extras/io/base/checksum.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
@@ -20,24 +21,6 @@ namespace {
 
 /// Last key of a record: the checksum of the record's text without this key.
 constexpr const char* checksumKey = "checksum";
-
-class Checksum {
-public:
-	void add(const char* data, std::size_t num)
-	{
-		constexpr std::uint64_t prime = 1099511628211u;
-		for (std::size_t i = 0; i < num; i += 8) {
-			std::uint64_t word = 0;
-			std::memcpy(&word, data + i, std::min<std::size_t>(8, num - i));
-			value_ = (value_ ^ word) * prime;
-			value_ ^= value_ >> 29; // else the upper bits of a word never reach the lower bits
-		}
-	}
-	std::uint64_t value() const { return value_; }
-
-private:
-	std::uint64_t value_ = 14695981039346656037u;
-};
 
 [[noreturn]] void failRead(const std::string& path)
 {
