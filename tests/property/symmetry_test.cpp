@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
@@ -308,6 +309,15 @@ TEST(Symmetry, AutoFindsAPlaneThatLiesAcrossNoAxis)
 	EXPECT_EQ(int(result.mesh.vertexNum()), 200);
 }
 
+/// The plane of a flat sheet has no sides.
+TEST(Symmetry, AutoTakesNoPlaneThatHoldsTheWholeSurface)
+{
+	TriangleMesh sheet = grid(30, 30);
+	for (Vec3d& p : sheet.positions)
+		p = {double(float(p.x * 0.7)), double(float(p.y * 1.1)), 0};
+	EXPECT_EQ(remeshed(sheet, symmetric(Symmetry::Auto, 100)).mesh.vertexNum(), 100u);
+}
+
 TEST(Symmetry, PreparedSurfacesGiveTheSameBytes)
 {
 	const TriangleMesh  mesh    = torus(60, 30);
@@ -326,6 +336,18 @@ TEST(Symmetry, LargestErrorsHoldForBothHalves)
 	const RemeshResult result = remeshed(torus(60, 30), options);
 	EXPECT_TRUE(result.report.isDistanceProven);
 	EXPECT_LE(result.report.provenDistance.hausdorff().upper, 0.01);
+	char proven[40];
+	std::snprintf(proven, sizeof proven, "at most %.4g (%.3g %% of",
+				  result.report.provenDistance.hausdorff().upper,
+				  100 * result.report.provenDistance.hausdorff().upper /
+					  result.report.input.diagonal);
+	const auto tells = [&](const char* part) {
+		return std::count_if(
+			result.notes.begin(), result.notes.end(),
+			[&](const std::string& note) { return note.find(part) != std::string::npos; });
+	};
+	EXPECT_EQ(tells(proven), 1) << "of the whole";
+	EXPECT_EQ(tells("is proven to be"), 1);
 	expectSymmetric(result.mesh, 0, 0);
 }
 

@@ -165,13 +165,16 @@ public:
 		return {plane, *most, placeOf(surface_, int(most - distance.begin()) * stride)};
 	}
 
-	/// The plane with the least mismatch.
-	FoundPlane best(const std::vector<MirrorPlane>& planes) const
+	/// The plane with the least mismatch. A plane with the whole surface nearer than `apart` is the
+	/// plane of a flat sheet: no half lies on a side of the plane.
+	FoundPlane best(const std::vector<MirrorPlane>& planes, double apart) const
 	{
 		const int               stride = std::max(1, surface_.mesh.vertexNum / mostCompared);
 		std::vector<FoundPlane> found;
-		for (const MirrorPlane& plane : planes)
-			found.push_back(with(plane, stride));
+		for (const MirrorPlane& plane : planes) {
+			if (!isFlatIn(plane, apart)) found.push_back(with(plane, stride));
+		}
+		if (found.empty()) return with(planes.front(), 1);
 		const auto least = std::min_element(
 			found.begin(), found.end(),
 			[](const FoundPlane& a, const FoundPlane& b) { return a.mismatch < b.mismatch; });
@@ -182,6 +185,15 @@ private:
 	const Surface& surface_;
 	Workers&       workers_;
 	TriangleTree   tree_;
+
+	bool isFlatIn(const MirrorPlane& plane, double apart) const
+	{
+		for (int v = 0; v < surface_.mesh.vertexNum; ++v) {
+			const Vec3d p = plane.toPlane(placeOf(surface_, v));
+			if (std::abs(coordinate(p, plane.heightAxis())) > apart) return false;
+		}
+		return true;
+	}
 
 	double ofVertex(const MirrorPlane& plane, int v) const
 	{
@@ -376,10 +388,11 @@ FoundPlane findMirrorPlane(const Surface& surface, Symmetry symmetry, double all
 	if (symmetry != Symmetry::Auto)
 		return comparison.with(planeAcross(box, int(symmetry) - int(Symmetry::X)), 1);
 	const FoundPlane ofAxes =
-		comparison.best({planeAcross(box, 0), planeAcross(box, 1), planeAcross(box, 2)});
+		comparison.best({planeAcross(box, 0), planeAcross(box, 1), planeAcross(box, 2)}, allowed);
 	if (ofAxes.mismatch <= allowed) return ofAxes;
-	const Vec3d      middle    = (box.low + box.high) * 0.5;
-	const FoundPlane principal = comparison.best(principalPlanes(surface, middle, workers));
+	const Vec3d      middle = (box.low + box.high) * 0.5;
+	const FoundPlane principal =
+		comparison.best(principalPlanes(surface, middle, workers), allowed);
 	return principal.mismatch < ofAxes.mismatch ? principal : ofAxes;
 }
 

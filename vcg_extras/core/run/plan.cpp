@@ -85,14 +85,6 @@ std::string forecastText(std::int64_t vertexNum, const Request& request)
 		   lengthText(error, request.diagonal) + ".";
 }
 
-std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
-{
-	return "With " + text(best.vertexNum) +
-		   " vertices the largest distance between input and result is proven to be at most " +
-		   lengthText(best.error, diagonal) + ". The search took " + text(trialNum) +
-		   (trialNum == 1 ? " trial." : " trials.");
-}
-
 /// Two meshes within the bound: fewer vertices are better. Else the smaller error is better.
 bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
 {
@@ -102,6 +94,14 @@ bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
 }
 
 } // namespace
+
+std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
+{
+	return "With " + text(best.vertexNum) +
+		   " vertices the largest distance between input and result is proven to be at most " +
+		   lengthText(best.error, diagonal) + ". The search took " + text(trialNum) +
+		   (trialNum == 1 ? " trial." : " trials.");
+}
 
 Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.options.targetFaceNum)
 {

@@ -163,6 +163,9 @@ struct Request {
 	double                   diagonal  = 0;  ///< of the input, mesh units; only with a goal
 };
 
+/// The note about a mesh that keeps its error bound. diagonal: of the input, mesh units.
+std::string metText(const ErrorTrial& best, int trialNum, double diagonal);
+
 /// Decides on the steps of a run: the next step, the decisions for the step, and the part of the
 /// run that begins again. A plan changes no mesh. judge() takes the facts of a step, and returns a
 /// sentence for the user or an empty string; a refusal throws Failure. If a fact changes a

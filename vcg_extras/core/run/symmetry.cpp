@@ -226,8 +226,18 @@ private:
 		verifyResult(run_, surface_, result, expected, made_.verified);
 	}
 
+	/// The last note of the run of the half is about the half.
+	void tellProof(const JoinedHalves& joined)
+	{
+		ofRun_.notes.pop_back();
+		const ErrorTrial whole{std::int64_t(joined.result.mesh.vertexNum),
+							   made_.verified.proof.bounds.hausdorff().upper};
+		run_.tell(metText(whole, ofRun_.report.errorTrialNum, diagonal()));
+	}
+
 	void tell(const JoinedHalves& joined)
 	{
+		if (options().targetMode == TargetMode::MaxError) tellProof(joined);
 		for (const std::string& note : ofRun_.notes)
 			run_.tell(note);
 		const MeshView& in       = call_.input;
