@@ -507,6 +507,8 @@ MUTANTS = [
     ("contact: wanted faces", "guard/input_contacts.cpp",
      "return withoutInputs(result, findTouchingPairs(result, workers, Seams::Joined, wanted));",
      "return withoutInputs(result, findTouchingPairs(result, workers, Seams::Joined));"),
+    ("count: corners go last", "optimization/exact_count.cpp",
+     "(v.isCorner && care_ == Care::TopologyAndCorners);", "false;"),
     ("edge length: border", "run/plan.cpp",
      "verticesOf(2 * double(decisions_.vertexNum), borderEdgeNum(decisions_.vertexNum));",
      "verticesOf(2 * double(decisions_.vertexNum), 0);"),

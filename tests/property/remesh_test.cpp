@@ -211,6 +211,26 @@ TEST(RemeshOptionsMean, AnEdgeLengthIsTheMeanOnSheetsToo)
 	}
 }
 
+/// The corners of the border go last. At the end of a strip a corner is the end.
+TEST(NarrowSheets, KeepTheirEnds)
+{
+	for (const double width : {0.01, 0.1}) {
+		TriangleMesh strip = grid(40, 1);
+		for (Vec3d& p : strip.positions)
+			p = {10 * p.x, width * p.y, 0};
+		const RemeshResult r = remesh(strip.view(), percentOptions(50));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(r.mesh.vertexNum(), 41u);
+		double low = 10, high = 0;
+		for (const Vec3d& p : r.mesh.positions) {
+			low  = std::min(low, p.x);
+			high = std::max(high, p.x);
+		}
+		EXPECT_NEAR(low, 0, 1e-5);
+		EXPECT_NEAR(high, 10, 1e-5);
+	}
+}
+
 TEST(RemeshOptionsMean, WithThePaperTheNumberLandsNear)
 {
 	RemeshOptions options = percentOptions(20);

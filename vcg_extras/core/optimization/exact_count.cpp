@@ -20,8 +20,8 @@ namespace gpr {
 
 namespace {
 
-/// The care about shapes, from most careful to topology only.
-enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
+/// The care about shapes and the corners of the border, from most careful to topology only.
+enum class Care { FlatGroundOnly, SoundShapes, TopologyAndCorners, TopologyOnly };
 
 /// The flips that accompany a split: the four edges of the quadrilateral w-c-x-d round the new
 /// vertex, a bit each.
@@ -143,9 +143,8 @@ private:
 		const std::int64_t left = leftNum();
 		// With topology only, the order must not depend on the wanted number.
 		const std::size_t most =
-			care_ == Care::TopologyOnly
-				? all.size()
-				: std::min<std::size_t>(all.size(), std::size_t(4 * left + 64));
+			isByTopology() ? all.size()
+						   : std::min<std::size_t>(all.size(), std::size_t(4 * left + 64));
 		std::partial_sort(all.begin(), all.begin() + most, all.end());
 		all.resize(most);
 		if (care_ == Care::FlatGroundOnly && !all.empty()) {
@@ -156,6 +155,9 @@ private:
 		}
 		return std::move(all);
 	}
+
+	/// Whether shapes do not count.
+	bool isByTopology() const { return care_ >= Care::TopologyAndCorners; }
 
 	bool isUsed(int v) const { return v >= int(used_.size()) || used_[v]; }
 
@@ -230,7 +232,7 @@ private:
 
 	bool isSplittableBorder(int h) const
 	{
-		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 && maySplitBorder(r_, h) &&
+		return isByTopology() && m_.opposite[h] < 0 && maySplitBorder(r_, h) &&
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 
@@ -471,20 +473,20 @@ private:
 	{
 		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
-			// Corners of the border go last.
+			constexpr int       energy = 1000; // after inner edges
 			const ResultVertex& v      = r_.vertex[m_.origin[h]];
-			const int           energy = v.isCorner ? 2000 : 1000;
 			// A junction needs the vertex on every sheet.
-			const bool isHeld = v.isPinned || (m_.meetsAtPlaces && v.isShared);
-			if (care_ == Care::TopologyOnly && !isHeld) return CountChange{energy, rank, h, 0};
+			const bool isHeld = v.isPinned || (m_.meetsAtPlaces && v.isShared) ||
+								(v.isCorner && care_ == Care::TopologyAndCorners);
+			if (isByTopology() && !isHeld) return CountChange{energy, rank, h, 0};
 			return {};
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
 		if (!isFree(r_, a)) return {};
 		const bool seenFromOtherSide = isFree(r_, b) && m_.opposite[h] < h;
-		if (seenFromOtherSide && care_ != Care::TopologyOnly) return {};
+		if (seenFromOtherSide && !isByTopology()) return {};
 		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return {};
-		if (care_ != Care::TopologyOnly && (valence_[c] <= 4 || valence_[d] <= 4)) return {};
+		if (!isByTopology() && (valence_[c] <= 4 || valence_[d] <= 4)) return {};
 		const int energy = squaredDefect(valence_[a] + valence_[b] - 4) +
 						   squaredDefect(valence_[c] - 1) + squaredDefect(valence_[d] - 1) -
 						   squaredDefect(valence_[a]) - squaredDefect(valence_[b]) -
@@ -530,7 +532,7 @@ private:
 	/// Whether the remaining faces of both rings are sound with a and b at p.
 	bool shapesAllowCollapse(int a, int b, const Vec3f& p) const
 	{
-		if (care_ == Care::TopologyOnly) return true;
+		if (isByTopology()) return true;
 		return !spoilsRing(limits_, m_, a, p, b) && !spoilsRing(limits_, m_, b, p, a);
 	}
 
@@ -596,14 +598,15 @@ bool changeCount(const Surface& surface, const BoundaryCurves& boundary, const C
 				 ResultMesh& result, Workers& workers)
 {
 	return CountCorrector(surface, boundary, target, result, workers)
-		.run({Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
+		.run({Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyAndCorners,
+			  Care::TopologyOnly});
 }
 
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  const CountTarget& target, ResultMesh& result, Workers& workers)
 {
 	CountCorrector corrector(surface, boundary, target, result, workers);
-	const bool     isReached = corrector.run({Care::TopologyOnly});
+	const bool     isReached = corrector.run({Care::TopologyAndCorners, Care::TopologyOnly});
 	compactResult(result, workers);
 	return isReached;
 }

@@ -95,12 +95,11 @@ bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
 
 } // namespace
 
-std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
+std::string provenText(std::int64_t vertexNum, double error, double diagonal)
 {
-	return "With " + text(best.vertexNum) +
+	return "With " + text(vertexNum) +
 		   " vertices the largest distance between input and result is proven to be at most " +
-		   lengthText(best.error, diagonal) + ". The search took " + text(trialNum) +
-		   (trialNum == 1 ? " trial." : " trials.");
+		   lengthText(error, diagonal) + ".";
 }
 
 Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.options.targetFaceNum)
@@ -747,7 +746,10 @@ std::string Plan::judge(const ExportFacts& facts)
 std::string Plan::outcomeForError() const
 {
 	const double goal = search_->goal().largest;
-	if (search_->found() > 0) return metText(best_, trialNum_, request_.diagonal);
+	if (search_->found() > 0) {
+		return provenText(best_.vertexNum, best_.error, request_.diagonal) + " The search took " +
+			   text(trialNum_) + (trialNum_ == 1 ? " trial." : " trials.");
+	}
 	const std::string missed = missedText(best_, goal, request_.diagonal);
 	if (!request_.options.allowNearest) throw Failure(Status::PromiseBroken, missed);
 	return missed;

@@ -163,8 +163,8 @@ struct Request {
 	double                   diagonal  = 0;  ///< of the input, mesh units; only with a goal
 };
 
-/// The note about a mesh that keeps its error bound. diagonal: of the input, mesh units.
-std::string metText(const ErrorTrial& best, int trialNum, double diagonal);
+/// The note about a mesh with a proven largest error. Lengths in mesh units.
+std::string provenText(std::int64_t vertexNum, double error, double diagonal);
 
 /// Decides on the steps of a run: the next step, the decisions for the step, and the part of the
 /// run that begins again. A plan changes no mesh. judge() takes the facts of a step, and returns a

@@ -230,9 +230,8 @@ private:
 	void tellProof(const JoinedHalves& joined)
 	{
 		ofRun_.notes.pop_back();
-		const ErrorTrial whole{std::int64_t(joined.result.mesh.vertexNum),
-							   made_.verified.proof.bounds.hausdorff().upper};
-		run_.tell(metText(whole, ofRun_.report.errorTrialNum, diagonal()));
+		run_.tell(provenText(joined.result.mesh.vertexNum,
+							 made_.verified.proof.bounds.hausdorff().upper, diagonal()));
 	}
 
 	void tell(const JoinedHalves& joined)
