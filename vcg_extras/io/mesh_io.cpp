@@ -185,7 +185,8 @@ void seeFilesFrom(const std::string& folder, MeshFormat format, MeshAttributes& 
 		seeFrom(folder, image, attributes);
 }
 
-/// Tells of data that only some formats hold.
+} // namespace
+
 void tellLost(MeshFormat format, MeshAttributes& attributes)
 {
 	const bool isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
@@ -194,13 +195,12 @@ void tellLost(MeshFormat format, MeshAttributes& attributes)
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	else if (attributes.gltf != nullptr && !isGltf)
 		attributes.lost.push_back("images and properties of materials");
+	if (isGltf) tellLostInGltf(attributes, attributes.lost);
 	if (!attributes.materialLibrary.empty() && format != MeshFormat::Obj && !holdsPlain)
 		attributes.lost.push_back("the name of the file of materials");
 	if (!attributes.unit.empty() && format != MeshFormat::ThreeMf)
 		attributes.lost.push_back("the unit '" + attributes.unit + "'");
 }
-
-} // namespace
 
 std::string nameOfFloatFormat(MeshFormat format)
 {
@@ -246,10 +246,10 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeStl(mesh, doublePrecision, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::Glb:
-		writeGlb(mesh, attributes, out, attributes.lost);
+		writeGlb(mesh, attributes, out);
 		break;
 	case MeshFormat::Gltf:
-		writeGltf(mesh, attributes, out, attributes.lost);
+		writeGltf(mesh, attributes, out);
 		break;
 	case MeshFormat::ThreeMf:
 		writeThreeMf(mesh, attributes.unit, out);
