@@ -228,6 +228,26 @@ TEST_F(Attributes, OfObjFilesComeOutAgain)
 	EXPECT_EQ(lost.size(), 2u);
 }
 
+/// The names of materials and images count from the folder of the file with the mesh.
+TEST_F(Attributes, FilesBesideTheInputAreNamedFromTheFolderOfTheResult)
+{
+	std::filesystem::create_directories(path("there/deep"));
+	const auto libraryIn = [&](const std::string& name, const std::string& out) {
+		std::string text = "mtllib " + name + "\nusemtl oak\n" + obj(grid(20));
+		return throughTheProgram(put("in.obj", text), path(out)).attributes.materialLibrary;
+	};
+	put("my oak.mtl", "newmtl oak\n");
+	EXPECT_EQ(libraryIn("my oak.mtl", "out.obj"), "my oak.mtl");
+	EXPECT_EQ(libraryIn("my oak.mtl", "there/deep/out.obj"), "../../my oak.mtl");
+	EXPECT_EQ(libraryIn(path("my oak.mtl"), "there/out.obj"), path("my oak.mtl"));
+	EXPECT_EQ(lost, std::vector<std::string>{"normals"});
+	EXPECT_EQ(libraryIn("none.mtl", "there/out.obj"), "none.mtl");
+	EXPECT_EQ(lost.back(), "the place of 'none.mtl', which is not beside the input");
+	put("wood of oak.png", "an image");
+	const InputMesh ply = throughTheProgram(put("in.ply", attributedPly()), path("there/out.ply"));
+	EXPECT_EQ(ply.attributes.images, std::vector<std::string>{"../wood of oak.png"});
+}
+
 TEST_F(Attributes, PolygonsAreCutAsTheMeshIs)
 {
 	const std::string file =

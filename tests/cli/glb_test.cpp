@@ -234,7 +234,8 @@ protected:
 	{
 		OutputFile out(path_);
 		lost_.clear();
-		writeGlb(mesh_, attributes_, out, lost_);
+		writeGlb(mesh_, attributes_, out);
+		tellLostInGltf(attributes_, lost_);
 		out.commit();
 		std::stringstream text;
 		text << std::ifstream(path_, std::ios::binary).rdbuf();

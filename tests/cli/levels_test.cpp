@@ -99,6 +99,19 @@ TEST_F(Levels, ComeIntoOneBinaryGltfFile)
 	EXPECT_EQ(gpr::app::glbChunksOf(content(path("out_2.glb"))).json["nodes"].size(), 1u);
 }
 
+TEST_F(Levels, LossesOfOneBinaryGltfFileAreTold)
+{
+	std::string         file = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+							   "property float y\nproperty float z\nproperty float heat\nelement face 4\n"
+							   "property list uchar int vertex_indices\nend_header\n"
+							   "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+	const ProgramResult made =
+		run({"levels", put("in.ply", file), path("out.glb"), "--vertices", "200,100"});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	EXPECT_NE(made.out.find("Not carried over: 'heat' of vertices."), std::string::npos)
+		<< made.out;
+}
+
 TEST_F(Levels, MistakesAreUsage)
 {
 	const std::string in  = put("in.ply", binaryPly(sphere(20), true, false));

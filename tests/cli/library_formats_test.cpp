@@ -271,4 +271,37 @@ TEST_F(LibraryFormats, GltfHasItsBuffersInOtherFiles)
 	EXPECT_EQ(missing.exitCode, 3) << "the buffer is not there";
 }
 
+TEST_F(LibraryFormats, GltfKeepsMaterialsAndImages)
+{
+	if (!gpr::app::hasGltfText()) GTEST_SKIP() << "this build has no TinyGLTF";
+	const std::string in = put("in.ply", binaryPly(sphere(20), true, false));
+	ASSERT_EQ(run({"remesh", in, path("one.gltf"), "--vertices", "100"}).exitCode, 0);
+	Json json         = Json::parse(content(path("one.gltf")));
+	json["materials"] = Json::parse(R"([{"name": "oak", "pbrMetallicRoughness":
+		{"baseColorTexture": {"index": 0}, "roughnessFactor": 0.5}}])");
+	json["textures"]  = {{{"source", 0}}};
+	json["images"]    = {{{"uri", "data:image/png;base64,AAAA"}}};
+	json["meshes"][0]["primitives"][0]["material"] = 0;
+	const std::string   with                       = put("two.gltf", json.dump());
+	const ProgramResult made = run({"remesh", with, path("out.gltf"), "--vertices", "60"});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	EXPECT_EQ(made.out.find("Not carried over"), std::string::npos) << made.out;
+	const Json out = Json::parse(content(path("out.gltf")));
+	EXPECT_EQ(out["materials"][0]["name"], "oak");
+	EXPECT_EQ(out["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"], 0.5);
+	EXPECT_EQ(out["images"].size(), 1u);
+	ASSERT_EQ(run({"remesh", with, path("out.ply"), "--vertices", "60"}).exitCode, 0);
+	EXPECT_NE(content(path("out.ply")).find("comment name of material 0 oak"), std::string::npos);
+}
+
+TEST_F(LibraryFormats, ThreeMfHoldsNoAttributes)
+{
+	if (!gpr::app::hasThreeMf()) GTEST_SKIP() << "this build has no lib3mf";
+	const std::string   in   = put("in.obj", "usemtl oak\n" + obj(sphere(20)));
+	const ProgramResult made = run({"remesh", in, path("out.3mf"), "--vertices", "100"});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	EXPECT_NE(made.out.find("any attribute, which this format does not hold"), std::string::npos)
+		<< made.out;
+}
+
 } // namespace gpr_test

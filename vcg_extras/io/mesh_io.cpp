@@ -16,6 +16,11 @@ namespace gpr::app {
 
 namespace {
 
+std::string folderOf(const std::string& path)
+{
+	return std::filesystem::absolute(path).parent_path().string();
+}
+
 InputMesh readFormat(MeshFormat format, std::string_view content, const std::string& path,
 					 const WantedAttributes& wanted, bool& holdsMore)
 {
@@ -30,10 +35,8 @@ InputMesh readFormat(MeshFormat format, std::string_view content, const std::str
 		return readStl(content);
 	case MeshFormat::Glb:
 		return readGlb(content, wanted);
-	case MeshFormat::Gltf: {
-		const std::string folder = std::filesystem::absolute(path).parent_path().string();
-		return readGlb(glbOfGltf(content, folder), wanted);
-	}
+	case MeshFormat::Gltf:
+		return readGlb(glbOfGltf(content, folderOf(path)), wanted);
 	case MeshFormat::ThreeMf:
 		return readThreeMf(content);
 	}
@@ -49,7 +52,10 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
 	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
 		readObjAttributes(content->view(), mesh);
-	if (wanted.carried) mesh.regions = regionsOf(mesh.attributes, wanted.regions);
+	if (wanted.carried) {
+		mesh.regions           = regionsOf(mesh.attributes, wanted.regions);
+		mesh.attributes.folder = folderOf(path);
+	}
 	if (mesh.isInFile()) mesh.file = content;
 	return mesh;
 }
@@ -156,7 +162,31 @@ void dropNamesBeyondHeader(MeshAttributes& attributes)
 	attributes.lost.push_back("the names of regions, which are too many for the header");
 }
 
-/// Tells of data that only some formats hold.
+/// Changes the relative name of a file beside the input to its name seen from another folder. The
+/// name stays if no such file is there, with words in `lost`.
+void seeFrom(const std::string& folder, std::string& name, MeshAttributes& attributes)
+{
+	namespace fs = std::filesystem;
+	std::error_code error;
+	const fs::path  from = attributes.folder, file = from / name;
+	if (from.empty() || name.empty() || fs::path(name).is_absolute()) return;
+	if (fs::equivalent(from, folder, error)) return;
+	if (!fs::exists(file, error))
+		attributes.lost.push_back("the place of '" + name + "', which is not beside the input");
+	else
+		name = fs::proximate(file, folder, error).generic_string();
+}
+
+void seeFilesFrom(const std::string& folder, MeshFormat format, MeshAttributes& attributes)
+{
+	if (format == MeshFormat::Obj) seeFrom(folder, attributes.materialLibrary, attributes);
+	if (format != MeshFormat::Ply) return;
+	for (std::string& image : attributes.images)
+		seeFrom(folder, image, attributes);
+}
+
+} // namespace
+
 void tellLost(MeshFormat format, MeshAttributes& attributes)
 {
 	const bool isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
@@ -165,13 +195,12 @@ void tellLost(MeshFormat format, MeshAttributes& attributes)
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	else if (attributes.gltf != nullptr && !isGltf)
 		attributes.lost.push_back("images and properties of materials");
+	if (isGltf) tellLostInGltf(attributes, attributes.lost);
 	if (!attributes.materialLibrary.empty() && format != MeshFormat::Obj && !holdsPlain)
 		attributes.lost.push_back("the name of the file of materials");
 	if (!attributes.unit.empty() && format != MeshFormat::ThreeMf)
 		attributes.lost.push_back("the unit '" + attributes.unit + "'");
 }
-
-} // namespace
 
 std::string nameOfFloatFormat(MeshFormat format)
 {
@@ -200,6 +229,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 	doublePrecision         = doublePrecision && nameOfFloatFormat(format).empty();
 	OutputFile out(path, limit);
 	tellLost(format, attributes);
+	seeFilesFrom(folderOf(path), format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:
 		nameMaterials(attributes);
@@ -216,10 +246,10 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeStl(mesh, doublePrecision, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::Glb:
-		writeGlb(mesh, attributes, out, attributes.lost);
+		writeGlb(mesh, attributes, out);
 		break;
 	case MeshFormat::Gltf:
-		writeGltf(mesh, attributes, out, attributes.lost);
+		writeGltf(mesh, attributes, out);
 		break;
 	case MeshFormat::ThreeMf:
 		writeThreeMf(mesh, attributes.unit, out);

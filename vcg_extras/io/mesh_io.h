@@ -28,6 +28,10 @@ WantedAttributes neededBy(const RemeshOptions& options);
 /// (Usage) if the format has no such attribute.
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {});
 
+/// Adds words to attributes.lost for data that only other formats hold. For files of other writers
+/// than writeMesh, such as levels in GLB.
+void tellLost(MeshFormat format, MeshAttributes& attributes);
+
 /// The name of a format that holds floats only; empty for all other formats.
 std::string nameOfFloatFormat(MeshFormat format);
 

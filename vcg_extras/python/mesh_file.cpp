@@ -121,6 +121,7 @@ void FileAttributes::takeMaterials(const FileAttributes& other)
 	values.materials       = other.values.materials;
 	values.materialLibrary = other.values.materialLibrary;
 	values.gltf            = other.values.gltf;
+	values.folder          = other.values.folder;
 	values.unit            = other.values.unit;
 	names                  = other.names;
 	for (const app::ValueColumn& column : other.values.ofFaces) {

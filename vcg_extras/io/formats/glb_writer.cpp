@@ -368,7 +368,9 @@ GlbParts partsOf(const TriangleMesh& mesh, const MeshAttributes& attributes)
 	return parts;
 }
 
-void tellLost(const MeshAttributes& attributes, std::vector<std::string>& lost)
+} // namespace
+
+void tellLostInGltf(const MeshAttributes& attributes, std::vector<std::string>& lost)
 {
 	for (const ValueColumn& column : attributes.ofVertices) {
 		if (!isOneOf(column.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
@@ -383,20 +385,14 @@ void tellLost(const MeshAttributes& attributes, std::vector<std::string>& lost)
 	}
 }
 
-} // namespace
-
-void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
-			  std::vector<std::string>& lost)
+void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out)
 {
-	tellLost(attributes, lost);
 	GlbParts parts = partsOf(mesh, attributes);
 	write(parts, out);
 }
 
-void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
-			   std::vector<std::string>& lost)
+void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out)
 {
-	tellLost(attributes, lost);
 	GlbParts          parts = partsOf(mesh, attributes);
 	const std::string head  = headOf(parts);
 	out.text(gltfOfGlb(head + parts.binary));

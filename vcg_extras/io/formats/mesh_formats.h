@@ -103,12 +103,13 @@ InputMesh readGlb(std::string_view file);
 /// are written more than once. Materials of a glTF input are written unchanged, with their images;
 /// images and materials of other files by their names. The format holds floats only. Throws
 /// AppError (Failure) for more than 4 GB.
-void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
-			  std::vector<std::string>& lost);
+void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out);
 
 /// The same as text, with the buffer inside. Needs hasGltfText().
-void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
-			   std::vector<std::string>& lost);
+void writeGltf(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out);
+
+/// Adds words for the values that glTF does not hold.
+void tellLostInGltf(const MeshAttributes& attributes, std::vector<std::string>& lost);
 
 /// One level of detail.
 struct GlbLevel {

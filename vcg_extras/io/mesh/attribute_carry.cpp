@@ -145,6 +145,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 	carried.materials       = source.materials;
 	carried.materialLibrary = source.materialLibrary;
 	carried.gltf            = source.gltf;
+	carried.folder          = source.folder;
 	carried.unit            = source.unit;
 	return carried;
 }

@@ -53,7 +53,8 @@ struct MeshAttributes {
 	std::vector<std::string> materials;        ///< OBJ: names; the texture's images are materials
 	std::string              materialLibrary;  ///< OBJ: the file of the materials
 	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: the materials, or null
-	std::string unit; ///< 3MF: of the coordinates, as the file names it; empty: not told
+	std::string folder; ///< of the file, for relative names of images and materials; empty: unknown
+	std::string unit;   ///< 3MF: of the coordinates, as the file names it; empty: not told
 	std::vector<std::string> lost; ///< words for data of the file that this struct has not
 
 	bool hasTexture() const { return !texture.uv.empty(); }

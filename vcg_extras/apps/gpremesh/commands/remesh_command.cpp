@@ -199,6 +199,7 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	MeshAttributes attributes = carriedAttributes(source, result, line, limit);
 	if (shared.file != nullptr) {
 		const double error = run.report.provenDistance.hausdorff().upper;
+		tellLost(MeshFormat::Glb, attributes);
 		shared.file->push_back({result.mesh, attributes, error});
 	}
 	else
