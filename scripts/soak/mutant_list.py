@@ -509,6 +509,8 @@ MUTANTS = [
      "return withoutInputs(result, findTouchingPairs(result, workers, Seams::Joined));"),
     ("count: corners go last", "optimization/exact_count.cpp",
      "(v.isCorner && care_ == Care::TopologyAndCorners);", "false;"),
+    ("junctions: only where there are any", "run/input_stages.cpp",
+     "keepsJunctions(run.options) && !surface.meetings.empty();", "keepsJunctions(run.options);"),
     ("edge length: border", "run/plan.cpp",
      "verticesOf(2 * double(decisions_.vertexNum), borderEdgeNum(decisions_.vertexNum));",
      "verticesOf(2 * double(decisions_.vertexNum), 0);"),

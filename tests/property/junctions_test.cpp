@@ -408,6 +408,22 @@ TEST(Junctions, AWishTakesMoreVerticesWhereSheetsWouldIntersect)
 	}
 }
 
+/// The guard may make components anew, and refusals speak of no sheets.
+TEST(Junctions, AreNoMatterOfASurfaceWithoutAny)
+{
+	const TriangleMesh slab = thinPlate(20, 0.01);
+	for (const int vertexNum : {8, 40, 200}) {
+		RemeshOptions keep    = countOptions(vertexNum);
+		keep.junctions        = JunctionMode::Keep;
+		const RemeshResult is = remesh(slab.view(), keep),
+						   at = remesh(slab.view(), countOptions(vertexNum));
+		EXPECT_EQ(is.status, at.status);
+		EXPECT_EQ(is.message, at.message);
+		EXPECT_EQ(is.mesh.positions, at.mesh.positions);
+		EXPECT_EQ(is.mesh.triangles, at.mesh.triangles);
+	}
+}
+
 TEST(Junctions, AreTheSameForAnyThreads)
 {
 	Random             random(3);

@@ -195,7 +195,7 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		if (!tooLong.faces.empty()) splitTooLong(run, tooLong, num, mesh, surface);
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
-	surface.mesh.meetsAtPlaces = keepsJunctions(run.options);
+	surface.mesh.meetsAtPlaces = keepsJunctions(run.options) && !surface.meetings.empty();
 	surface.mesh.mirrorAxis    = run.input.mirrorAxis;
 	surface.border             = BorderFigures();
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)

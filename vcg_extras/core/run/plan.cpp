@@ -722,6 +722,7 @@ std::string Plan::judge(const ExportFacts& facts)
 	goOn();
 	isBest_ = true;
 	if (decisions_.purpose == Purpose::CountToBeHad) {
+		isHad_ = true;
 		if (!asksForFaces()) throw refusalAtLast();
 		hadNums_.push_back(facts);
 		if (hadNums_.size() == 2) throw refusalAtLast();
@@ -812,11 +813,11 @@ Failure Plan::refusalAtLast() const
 				isSmall ? first.vertexNum : 0, first.faceNum};
 	}
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
-	return {refusal_->status,
-			"The surface cannot be meshed with " + refused_ +
-				"; the smallest possible number found without self-intersections is " +
-				text(smallestNum_) + ".",
-			smallestNum_};
+	const std::string what =
+		isHad_ ? "; the smallest possible number found without self-intersections is " +
+					 text(smallestNum_) + "."
+			   : "; about " + text(smallestNum_) + " or more are needed.";
+	return {refusal_->status, "The surface cannot be meshed with " + refused_ + what, smallestNum_};
 }
 
 } // namespace gpr

@@ -295,9 +295,10 @@ private:
 	// The refused count, and the smaller counts that are possible.
 	std::optional<Failure> refusal_;
 	std::int64_t           smallestNum_ = 0;
-	std::int64_t           wantedFaces_ = 0; ///< of the run under way, with a target of faces
-	std::string            refused_;         ///< "7 vertices"
-	int                    triedNum_ = 0;    ///< counts tried for the refusal
+	std::int64_t           wantedFaces_ = 0;  ///< of the run under way, with a target of faces
+	std::string            refused_;          ///< "7 vertices"
+	int                    triedNum_ = 0;     ///< counts tried for the refusal
+	bool                   isHad_    = false; ///< a mesh with the count of the refusal was made
 	std::vector<ExportFacts>
 		hadNums_; ///< possible counts with a target of faces: the refusal names two
 
