@@ -42,16 +42,25 @@ TEST(InputContacts, AreOnlyThoseNearby)
 	}
 }
 
-TEST(InputContacts, AreNoneWhereOnlyTheResultIntersectsItself)
-{
-	Workers                     workers(2, nullptr);
+namespace {
+
+/// Two spheres that intersect each other in the result only.
+struct OnlyInResult {
+	Workers                     workers{2, nullptr};
 	const HalfEdgeMesh          input  = halfEdgesOf(spheres(4, 0, 3));
 	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
 	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
-	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
-	ASSERT_FALSE(pairs.empty());
-	EXPECT_EQ(contacts.faceNum(), 0);
-	EXPECT_EQ(contacts.withoutInputs(result, pairs), pairs);
+	const InputContacts         contacts{input, result, pairs, 0.1f, workers};
+};
+
+} // namespace
+
+TEST(InputContacts, AreNoneWhereOnlyTheResultIntersectsItself)
+{
+	const OnlyInResult is;
+	ASSERT_FALSE(is.pairs.empty());
+	EXPECT_EQ(is.contacts.faceNum(), 0);
+	EXPECT_EQ(is.contacts.withoutInputs(is.result, is.pairs), is.pairs);
 }
 
 /// Contacts of the input elsewhere are not looked for.
@@ -92,21 +101,17 @@ TEST(InputContacts, CountUpToADistanceFromThePairs)
 
 TEST(InputContacts, OthersAreThoseOfTheWantedFaces)
 {
-	Workers                     workers(1, nullptr);
-	const HalfEdgeMesh          input  = halfEdgesOf(spheres(3, 0, 3));
-	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
-	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
-	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
-	ASSERT_GT(pairs.size(), 1u);
-	const FacePair&       one = pairs.front();
-	std::vector<char>     wanted(std::size_t(result.faceNum), 0);
+	OnlyInResult is;
+	ASSERT_GT(is.pairs.size(), 1u);
+	const FacePair&       one = is.pairs.front();
+	std::vector<char>     wanted(std::size_t(is.result.faceNum), 0);
 	std::vector<FacePair> expected;
 	wanted[std::size_t(one.second)] = 1;
-	for (const FacePair& pair : pairs) {
+	for (const FacePair& pair : is.pairs) {
 		if (pair.first == one.second || pair.second == one.second) expected.push_back(pair);
 	}
-	ASSERT_LT(expected.size(), pairs.size());
-	EXPECT_EQ(contacts.othersIn(result, wanted, workers), expected);
+	ASSERT_LT(expected.size(), is.pairs.size());
+	EXPECT_EQ(is.contacts.othersIn(is.result, wanted, is.workers), expected);
 }
 
 /// Along cuts of the input, both sides have separate vertices at the same places.

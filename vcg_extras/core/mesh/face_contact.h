@@ -55,7 +55,8 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& mesh, Workers& worke
 										Seams                    seams  = Seams::Joined,
 										const std::vector<char>& wanted = {});
 /// Finds the faces in contact, ascending. Faster than the search for pairs where faces have many
-/// contacts: the search of a face ends at the first contact. Cost: O(F log F), parallel.
+/// contacts: most pairs of two faces with known contacts are not tested. Cost: O(F log F),
+/// parallel.
 std::vector<int> findTouchingFaces(const HalfEdgeMesh& mesh, Workers& workers,
 								   Seams seams = Seams::Joined);
 /// The faces of some pairs, each once, ascending.

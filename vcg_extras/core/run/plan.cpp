@@ -311,30 +311,25 @@ std::string Plan::judge(const SizeFacts& facts)
 	return isFar && mayReturn() ? returnTo(Step::Input) : "";
 }
 
-/// The owner of the vertices to be kept, for a sentence.
-std::string Plan::keeper() const
-{
-	if (request_.options.boundary == BoundaryMode::Keep) return "The border has ";
-	return keepsJunctions(request_.options) ? "The junctions have " : "The feature region has ";
-}
-
 /// If the target is a wish, raises the count for a border or junctions with vertices to be kept, so
 /// that vertices are left for the surface between them. Else refuses.
 std::string Plan::makeRoom()
 {
-	const bool isRegion =
-		request_.options.boundary != BoundaryMode::Keep && !keepsJunctions(request_.options);
-	const bool mayRaise = !isRegion && isWish() && decisions_.purpose != Purpose::SamplesOnly;
+	const bool isBorder    = request_.options.boundary == BoundaryMode::Keep;
+	const bool isRegion    = !isBorder && !keepsJunctions(request_.options);
+	const bool mayRaise    = !isRegion && isWish() && decisions_.purpose != Purpose::SamplesOnly;
+	const std::string fact = std::string(isBorder   ? "The border has "
+										 : isRegion ? "The feature region has "
+													: "The junctions have ") +
+							 text(attempts_.keptNum) + " vertices to be kept, ";
 	if (!mayRaise || !mayReturn()) {
 		const std::int64_t faceNum = 2 * (attempts_.keptNum - attempts_.euler);
-		refuse(keeper() + text(attempts_.keptNum) + " vertices to be kept, more than " + asked() +
-				   " allow; ask for more" + (isRegion ? ", or give a feature disk scale" : "") +
-				   ".",
+		refuse(fact + "more than " + asked() + " allow; ask for more" +
+				   (isRegion ? ", or give a feature disk scale" : "") + ".",
 			   attempts_.keptNum, decisions_.faceNum > 0 ? std::max<std::int64_t>(1, faceNum) : 0);
 	}
 	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
-	const std::string  note   = keeper() + text(attempts_.keptNum) +
-							 " vertices to be kept, so the wanted number was raised from " +
+	const std::string  note   = fact + "so the wanted number was raised from " +
 							 text(attempts_.asked) + " to " + text(raised) + " vertices.";
 	attempts_.isCountChosen = true;
 	decisions_.vertexNum = attempts_.asked = raised;
@@ -722,10 +717,8 @@ std::string Plan::judge(const ExportFacts& facts)
 	goOn();
 	isBest_ = true;
 	if (decisions_.purpose == Purpose::CountToBeHad) {
-		isHad_ = true;
-		if (!asksForFaces()) throw refusalAtLast();
 		hadNums_.push_back(facts);
-		if (hadNums_.size() == 2) throw refusalAtLast();
+		if (!asksForFaces() || hadNums_.size() == 2) throw refusalAtLast();
 		tryToHave(facts.faceNum + attempts_.nextStep());
 		return "";
 	}
@@ -797,7 +790,7 @@ void Plan::tryToHave(std::int64_t num)
 
 Failure Plan::refusalAtLast() const
 {
-	if (!hadNums_.empty()) {
+	if (asksForFaces() && !hadNums_.empty()) {
 		const ExportFacts &first = hadNums_.front(), &last = hadNums_.back();
 		const bool         isSmall = refusal_->status == Status::CountTooSmall;
 		const bool         areTwo  = first.faceNum != last.faceNum;
@@ -814,9 +807,9 @@ Failure Plan::refusalAtLast() const
 	}
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
 	const std::string what =
-		isHad_ ? "; the smallest possible number found without self-intersections is " +
-					 text(smallestNum_) + "."
-			   : "; about " + text(smallestNum_) + " or more are needed.";
+		hadNums_.empty() ? "; about " + text(smallestNum_) + " or more are needed."
+						 : "; the smallest possible number found without self-intersections is " +
+							   text(smallestNum_) + ".";
 	return {refusal_->status, "The surface cannot be meshed with " + refused_ + what, smallestNum_};
 }
 

@@ -295,12 +295,11 @@ private:
 	// The refused count, and the smaller counts that are possible.
 	std::optional<Failure> refusal_;
 	std::int64_t           smallestNum_ = 0;
-	std::int64_t           wantedFaces_ = 0;  ///< of the run under way, with a target of faces
-	std::string            refused_;          ///< "7 vertices"
-	int                    triedNum_ = 0;     ///< counts tried for the refusal
-	bool                   isHad_    = false; ///< a mesh with the count of the refusal was made
+	std::int64_t           wantedFaces_ = 0; ///< of the run under way, with a target of faces
+	std::string            refused_;         ///< "7 vertices"
+	int                    triedNum_ = 0;    ///< counts tried for the refusal
 	std::vector<ExportFacts>
-		hadNums_; ///< possible counts with a target of faces: the refusal names two
+		hadNums_; ///< counts of meshes made for the refusal: two with a target of faces, else one
 
 	bool        has(Step step) const;
 	bool        isWish() const;
@@ -321,7 +320,6 @@ private:
 	double            borderEdgeNum(std::int64_t vertexNum) const;
 	void              forecastVertices();
 	void              addBorder(const SizeFacts& facts);
-	std::string       keeper() const;
 	std::string       makeRoom();
 	float             correctedRadius(const SampleFacts& facts) const;
 	std::string       withoutFeatureLines(const std::string& fault);

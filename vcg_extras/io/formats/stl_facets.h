@@ -85,13 +85,11 @@ public:
 		return key;
 	}
 
-	/// Whether any facet has attribute bytes other than zero: by some programs a colour.
-	bool anyAttributes() const
+	/// Whether a facet has attribute bytes other than zero: by some programs a colour.
+	bool hasAttribute(std::size_t f) const
 	{
-		for (std::size_t end = stlFacetBytes; end <= stlFacetBytes * num_; end += stlFacetBytes) {
-			if (begin_[end - 1] != 0 || begin_[end - 2] != 0) return true;
-		}
-		return false;
+		const char* const end = begin_ + stlFacetBytes * (f + 1);
+		return end[-1] != 0 || end[-2] != 0;
 	}
 
 private:

@@ -219,7 +219,10 @@ InputMesh readBinaryStl(std::string_view file)
 	Buffer<int> first = FirstCorners(facets, workers).find();
 	InputMesh   mesh;
 	numberVertices(facets, first, mesh);
-	if (facets.anyAttributes())
+	const auto attributeNum = workers.sumEach<std::int64_t>(
+		facets.cornerNum() / 3,
+		[&](std::size_t f, std::int64_t& num) { num += facets.hasAttribute(f); });
+	if (attributeNum > 0)
 		mesh.attributes.lost.push_back("colours or other data in attribute bytes of facets");
 	return mesh;
 }

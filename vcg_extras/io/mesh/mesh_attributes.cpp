@@ -11,12 +11,17 @@ bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
 }
 
-std::string noteOfLost(const std::vector<std::string>& lost)
+std::string withCommas(const std::vector<std::string>& words)
 {
 	std::string list;
-	for (const std::string& words : lost)
-		list += (list.empty() ? "" : ", ") + words;
-	return list.empty() ? "" : "Not carried over: " + list + ".";
+	for (const std::string& word : words)
+		list += (list.empty() ? "" : ", ") + word;
+	return list;
+}
+
+std::string noteOfLost(const std::vector<std::string>& lost)
+{
+	return lost.empty() ? "" : "Not carried over: " + withCommas(lost) + ".";
 }
 
 namespace {

@@ -68,6 +68,9 @@ struct MeshAttributes {
 	}
 };
 
+/// The words of a list, with commas between.
+std::string withCommas(const std::vector<std::string>& words);
+
 /// The sentence of a run about lost data; empty if nothing is lost.
 std::string noteOfLost(const std::vector<std::string>& lost);
 

@@ -133,14 +133,6 @@ void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes&
 		writeMesh(mesh, doublePrecision, attributes, path, limit);
 }
 
-std::string listOf(const std::vector<std::string>& words)
-{
-	std::string list;
-	for (const std::string& word : words)
-		list += (list.empty() ? "" : ", ") + word;
-	return list;
-}
-
 Source readSource(const std::string& path, const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
@@ -243,7 +235,7 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	RemeshResult   result = remeshWithProgress(sources, view, line, limit, shared.prepared);
 	run.times.remesh      = programClock.seconds() - begun - run.times.read;
 
-	run.inputPath  = line.pieces.empty() ? line.input : listOf(line.pieces);
+	run.inputPath  = line.pieces.empty() ? line.input : withCommas(line.pieces);
 	run.outputPath = line.output;
 	run.options    = line.options;
 	resolveFeatureRegion(view.anySelected(), run.options);
