@@ -150,6 +150,31 @@ TEST(SmallestCountTells, TheInputsFaultsAreCountedOnce)
 	EXPECT_EQ(r.report.cleaned.unreferencedVertices, 1);
 }
 
+/// With the smallest count itself, the outer border would end as a triangle.
+TEST(SmallestCountTells, AWishBelowTheSmallestKeepsTheBorderOfAHoleySheet)
+{
+	for (std::uint32_t seed : {1u, 2u, 3u}) {
+		Random       random(seed);
+		TriangleMesh mesh = jitteredGrid(80, 0.3, random);
+		TriangleMesh holey;
+		holey.positions = mesh.positions;
+		for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+			if (random.chance(0.02)) continue;
+			holey.triangles.insert(holey.triangles.end(), &mesh.triangles[3 * f],
+								   &mesh.triangles[3 * f] + 3);
+		}
+		RemeshOptions options = countOptions(0);
+		options.targetMode    = TargetMode::Percent;
+		options.targetPercent = 1;
+		options.seed          = seed;
+		const RemeshResult r  = remesh(holey.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		const SurfaceFacts before = factsOf(holey), after = factsOf(r.mesh);
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_NEAR(after.area, before.area, 0.1 * before.area) << "seed " << seed;
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

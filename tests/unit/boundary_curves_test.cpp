@@ -134,6 +134,42 @@ TEST_F(SampleBoundary, LoopsTooShortKeepThreeVerticesOfTheirOwn)
 	}
 }
 
+/// A square with two square holes that meet in a point. Both make one loop, which passes the point
+/// twice.
+TriangleMesh touchingHoles(int below, int above)
+{
+	return gridWhere(20, 1, [&](int i, int j) {
+		const bool isBelow = std::min(i, j) >= 10 - below && std::max(i, j) < 10;
+		const bool isAbove = std::min(i, j) >= 10 && std::max(i, j) < 10 + above;
+		return !isBelow && !isAbove;
+	});
+}
+
+TEST_F(SampleBoundary, NeighboursOnALoopThatTouchesItselfLieApart)
+{
+	for (int below : {1, 2, 4, 8}) {
+		for (int above : {1, 2, 4, 8}) {
+			for (float spacing : {0.1f, 0.4f, 1.0f}) {
+				IndexedMesh cut = loaded(touchingHoles(below, above), workers);
+				CleanCounts counts;
+				repair(cut, workers, counts); // the point gets a vertex for each of its two fans
+				surface = surfaceOf(std::move(cut), workers);
+				b       = sampleBoundary(surface, spacing / 1.04f, spacing, workers);
+				ASSERT_EQ(b.curves.size(), 2u);
+				for (int c = 0; c < 2; ++c) {
+					const std::vector<CurveSample> own = samplesOf(c);
+					ASSERT_GE(own.size(), 3u);
+					for (std::size_t i = 0; i < own.size(); ++i) {
+						const CurveSample& next = own[(i + 1) % own.size()];
+						EXPECT_GT(length(next.point.position - own[i].point.position), 1e-3f)
+							<< below << " and " << above << " squares, spacing " << spacing;
+					}
+				}
+			}
+		}
+	}
+}
+
 TEST_F(SampleBoundary, CurvesAndSamplesAgreeWithTheSurface)
 {
 	Random random(3);

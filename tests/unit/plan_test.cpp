@@ -568,6 +568,18 @@ TEST(Plan, RaisesAWishToTheSmallestAndMeshesAnew)
 	EXPECT_TRUE(run.says("7 vertices instead of 3"));
 }
 
+TEST(Plan, AWishTakesAFewVerticesMoreThanTheSmallest)
+{
+	const auto atLeast640 = [](const Decisions& d) {
+		return reached(d.way == Way::ByTopology ? 640 : std::max<std::int64_t>(640, d.vertexNum));
+	};
+	const PlannedRun run = runWith(wish(30), atLeast640);
+	ASSERT_TRUE(run.isTaken());
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{30, 30, 660}));
+	EXPECT_TRUE(run.says("660 vertices instead of 30 vertices, a few more than the smallest number "
+						 "reached, 640 vertices."));
+}
+
 TEST(Plan, TakesTheSmallestAtOnceIfTheRightSpacingCannotReachIt)
 {
 	const auto stuckAbove = [](std::int64_t smallest) {

@@ -421,27 +421,19 @@ private:
 	}
 
 	/// Makes samples of three vertices of the loop, as evenly spaced as possible; nodes come first.
+	/// A loop that touches itself has two vertices at a place: only one of these is taken.
 	void keepThree(const Curve& c)
 	{
-		std::vector<char> taken(c.pointNum(), 0);
-		int               kept = 0;
+		std::vector<int> taken;
+		const auto       take = [&](int i) {
+            taken.push_back(i);
+            put(c, c.arc[i], true);
+		};
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (!isStop(c.vertex[i])) continue;
-			taken[i] = 1;
-			put(c, c.arc[i], true);
-			++kept;
+			if (isStop(c.vertex[i])) take(i);
 		}
-		for (int k = kept; k < 3; ++k) {
-			const float wanted = c.length * float(k) / 3;
-			int         best   = -1;
-			for (int i = 0; i < c.pointNum(); ++i) {
-				if (taken[i]) continue;
-				if (best < 0 || std::abs(c.arc[i] - wanted) < std::abs(c.arc[best] - wanted))
-					best = i;
-			}
-			taken[best] = 1;
-			put(c, c.arc[best], true);
-		}
+		for (int k = int(taken.size()); k < 3; ++k)
+			take(nearestPoint(c, c.length * float(k) / 3, taken));
 	}
 
 	/// Marks the corners and nodes on the loop.
@@ -492,17 +484,25 @@ private:
 			stopNum += shared_->isStop(index, i);
 		}
 		for (int k = 0; stopNum < 3 && k < 3; ++k) {
-			const int i = nearestPoint(c, c.length * float(k) / 3);
+			const int i = nearestPoint(c, c.length * float(k) / 3, {});
 			stopNum += !shared_->isStop(index, i);
 			shared_->addStop(index, i);
 		}
 	}
 
-	static int nearestPoint(const Curve& c, float arc)
+	/// The point nearest to an arc that is not taken; if possible, at another place than the taken
+	/// points.
+	static int nearestPoint(const Curve& c, float arc, const std::vector<int>& taken)
 	{
+		const auto cost = [&](int i) {
+			float sum = c.arcDistance(c.arc[i], arc);
+			for (int k : taken)
+				sum += k == i ? HUGE_VALF : c.point[k] == c.point[i] ? c.length : 0;
+			return sum;
+		};
 		int best = 0;
 		for (int i = 1; i < c.pointNum(); ++i) {
-			if (c.arcDistance(c.arc[i], arc) < c.arcDistance(c.arc[best], arc)) best = i;
+			if (cost(i) < cost(best)) best = i;
 		}
 		return best;
 	}
