@@ -7,6 +7,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,7 @@ TEST(Selection, LeavesTheRestAloneAndJoinsIt)
 		EXPECT_TRUE(hasSameTopology(*mesh, r.mesh));
 		expectRestUntouched(*mesh, selected, r);
 		EXPECT_LT(r.mesh.faceNum(), mesh->faceNum());
+		EXPECT_EQ(r.report.input.diagonal, extentOf(mesh->view()).diagonal);
 		EXPECT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
 	}
 }
@@ -201,6 +203,42 @@ TEST(Selection, OfEverythingIsTheWholeMesh)
 	const RemeshResult              whole = remesh(mesh.view(), percent(20));
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_EQ(r.mesh.triangles, whole.mesh.triangles);
+}
+
+/// Two balls that share a vertex: the run cuts the vertex, and the result has both parts.
+TEST(Selection, CutsVerticesWithSeveralFansLikeARunOnTheWholeMesh)
+{
+	TriangleMesh       mesh  = icosphere(3);
+	const std::int32_t first = std::int32_t(mesh.vertexNum());
+	for (std::int32_t v = 1; v < first; ++v)
+		mesh.positions.push_back(mesh.positions[0] * 2.0 - mesh.positions[std::size_t(v)]);
+	for (std::size_t c = 0, num = mesh.triangles.size(); c < num; c += 3) {
+		for (std::size_t k : {0u, 2u, 1u}) { // the mirror image, so turned
+			const std::int32_t v = mesh.triangles[c + k];
+			mesh.triangles.push_back(v == 0 ? 0 : first + v - 1);
+		}
+	}
+	const std::vector<std::uint8_t> all(mesh.faceNum(), 1);
+	const RemeshResult              r = remeshSelection(mesh, all, percent(20));
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+	EXPECT_EQ(r.report.result.vertices, std::int64_t(r.mesh.vertexNum()));
+}
+
+TEST(Selection, TellsThatItsBorderStays)
+{
+	const TriangleMesh mesh     = grid(30, 30);
+	const auto         selected = selectionOf(mesh, [](const Vec3d& p) { return p.x > 0.5; });
+	for (const BoundaryMode mode :
+		 {BoundaryMode::Resample, BoundaryMode::Keep, BoundaryMode::Free, BoundaryMode::Smooth}) {
+		RemeshOptions options       = percent(20);
+		options.boundary            = mode;
+		const RemeshResult r        = remeshSelection(mesh, selected, options);
+		const bool         isWished = mode == BoundaryMode::Free || mode == BoundaryMode::Smooth;
+		EXPECT_EQ(std::count(r.notes.begin(), r.notes.end(),
+							 "The border mode has no effect: the border of selected faces stays."),
+				  int(isWished));
+	}
 }
 
 TEST(Selection, GivesTheSameWithAnyNumberOfThreads)

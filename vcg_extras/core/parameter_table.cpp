@@ -280,7 +280,8 @@ void addSelected(Table& t)
 {
 	row(t, RemeshTool, "Selected", "--selected", "", Kind::Switch, "Only the selected faces",
 		"Remeshes the selected faces only; all other faces stay bit for bit. The vertices between "
-		"both parts stay. The new triangles grow from the spacing there to the wanted size.")
+		"both parts and on borders stay. The new triangles grow from the spacing there to the "
+		"wanted size.")
 		.inDialog("The proposed number of vertices is for the whole layer: give the number for "
 				  "the selected part, or an edge length.")
 		.onCommandLine(

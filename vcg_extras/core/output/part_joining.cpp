@@ -4,6 +4,7 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
+#include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
 #include <utility>
@@ -50,9 +51,9 @@ public:
 
 	void join()
 	{
+		findMadeSeam();
 		takeRest();
 		takeMade();
-		requireSeam();
 	}
 
 private:
@@ -61,17 +62,7 @@ private:
 	const RemeshResult&       made_;
 	RemeshResult&             out_;
 	std::vector<std::int32_t> newIndex_; ///< per input vertex: the vertex of the result, or -1
-
-	std::int32_t addCallers(std::int32_t v, const BarycentricPoint& at)
-	{
-		std::int32_t& index = newIndex_[v];
-		if (index >= 0) return index;
-		index = std::int32_t(out_.mesh.positions.size());
-		out_.mesh.positions.push_back(input_.position(std::size_t(v)));
-		out_.surfacePoints.push_back(at);
-		out_.callersVertex.push_back(v);
-		return index;
-	}
+	std::vector<char>         isOnSeam_; ///< per new vertex
 
 	/// Takes the unselected faces, and their vertices in the order of the input.
 	void takeRest()
@@ -86,7 +77,11 @@ private:
 		}
 		newIndex_.assign(input_.vertexNum, -1);
 		for (std::size_t v = 0; v < input_.vertexNum; ++v) {
-			if (at[v].face >= 0) addCallers(std::int32_t(v), at[v]);
+			if (at[v].face < 0) continue;
+			newIndex_[v] = std::int32_t(out_.mesh.positions.size());
+			out_.mesh.positions.push_back(input_.position(v));
+			out_.surfacePoints.push_back(at[v]);
+			out_.callersVertex.push_back(std::int32_t(v));
 		}
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
 			if (!part_.isInPart[f]) addRestFace(f);
@@ -121,31 +116,42 @@ private:
 			out_.facePoints.push_back(ofCaller(at));
 	}
 
+	/// A vertex on the seam is the vertex of the rest. An input vertex away from the seam may be
+	/// several new vertices, since the run cuts vertices with several fans of faces.
 	std::int32_t addMade(std::size_t v)
 	{
 		const BarycentricPoint at = ofCaller(made_.surfacePoints[v]);
-		if (!made_.callersVertex.empty() && made_.callersVertex[v] >= 0)
-			return addCallers(part_.vertexOf[made_.callersVertex[v]], at);
+		if (isOnSeam_[v]) return newIndex_[callerOf(v)];
 		out_.mesh.positions.push_back(made_.mesh.positions[v]);
 		out_.surfacePoints.push_back(at);
-		out_.callersVertex.push_back(-1);
+		out_.callersVertex.push_back(callerOf(v));
 		return std::int32_t(out_.mesh.positions.size()) - 1;
 	}
 
-	/// Throws Failure unless every edge of the seam is an edge of the new faces too.
-	void requireSeam() const
+	/// The input vertex of a new vertex, or -1.
+	std::int32_t callerOf(std::size_t v) const
 	{
-		std::vector<Edge>  made;
-		const std::int64_t first = 3 * std::int64_t(input_.faceNum - part_.faceOf.size());
-		const auto&        t     = out_.mesh.triangles;
-		for (std::size_t c = std::size_t(first); c < t.size(); ++c) {
-			const std::int32_t a = out_.callersVertex[t[c]];
-			const std::int32_t b = out_.callersVertex[t[c % 3 == 2 ? c - 2 : c + 1]];
-			if (a >= 0 && b >= 0) made.push_back(std::minmax(a, b));
-		}
-		std::sort(made.begin(), made.end());
+		const std::int32_t inPart = made_.callersVertex.empty() ? -1 : made_.callersVertex[v];
+		return inPart < 0 ? -1 : part_.vertexOf[inPart];
+	}
+
+	/// Throws Failure unless every edge of the seam is an edge of the new faces too.
+	void findMadeSeam()
+	{
 		const std::vector<Edge> seam = findSeam(input_, part_.isInPart);
-		if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;
+		std::vector<Edge>       found;
+		isOnSeam_.assign(made_.mesh.vertexNum(), 0);
+		const auto& t = made_.mesh.triangles;
+		for (std::size_t c = 0; c < t.size(); ++c) {
+			const std::int32_t v = t[c], w = t[c % 3 == 2 ? c - 2 : c + 1];
+			const std::int32_t a = callerOf(v), b = callerOf(w);
+			const Edge         edge = std::minmax(a, b);
+			if (a < 0 || b < 0 || !std::binary_search(seam.begin(), seam.end(), edge)) continue;
+			isOnSeam_[v] = isOnSeam_[w] = 1;
+			found.push_back(edge);
+		}
+		std::sort(found.begin(), found.end());
+		if (std::includes(found.begin(), found.end(), seam.begin(), seam.end())) return;
 		throw Failure(
 			Status::PromiseBroken,
 			"The new faces could not be joined to the rest of the mesh: along the border of "
@@ -171,9 +177,12 @@ RemeshResult joinPart(const MeshView& input, const SelectedPart& part, const Rem
 	RemeshResult out;
 	Joining(input, part, made, out).join();
 	if (!options.surfacePointsOfFaces) out.facePoints.clear();
-	out.status                  = Status::Ok;
-	out.notes                   = std::move(made.notes);
+	out.status = Status::Ok;
+	out.notes  = std::move(made.notes);
+	if (options.boundary != RemeshOptions().boundary && options.boundary != BoundaryMode::Keep)
+		out.notes.push_back("The border mode has no effect: the border of selected faces stays.");
 	out.report                  = std::move(made.report);
+	out.report.input.diagonal   = extentOf(input).diagonal; // lengths in percent are of the whole
 	out.report.untouchedFaceNum = std::int64_t(input.faceNum - part.faceOf.size());
 	return out;
 }
