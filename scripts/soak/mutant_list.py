@@ -466,8 +466,9 @@ MUTANTS = [
     ("refinement: order of space", "input/surface_refinement.cpp",
      "inserts.push_back({firstOf(m_.vertexNum, isBehind), v.second});", "inserts.push_back({0, v.second});"),
     ("seam of a selection", "output/part_joining.cpp",
-     "if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;", "return;"),
-    # ---- output
+     "if (isOnSeam_[v]) return", "if (false) return"),
+    ("cut vertices of a selection", "output/part_joining.cpp",
+     "if (isOnSeam_[v]) return", "if (callerOf(v) >= 0) return"),
     ("audit: second fans", "output/audit.cpp",
      "if (found.corners != m.halfEdgeNum()) ++found.nonManifoldVertices;", ""),
     ("areas after export", "output/export.cpp", "audited.passed = audited.zeroAreaFaces == 0;",
