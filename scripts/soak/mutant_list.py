@@ -467,6 +467,8 @@ MUTANTS = [
      "inserts.push_back({firstOf(m_.vertexNum, isBehind), v.second});", "inserts.push_back({0, v.second});"),
     ("seam of a selection", "output/part_joining.cpp",
      "if (isOnSeam_[v]) return", "if (false) return"),
+    ("a seam that does not fit", "output/part_joining.cpp",
+     "if (std::includes(found.begin(), found.end(), seam.begin(), seam.end())) return;", "return;"),
     ("cut vertices of a selection", "output/part_joining.cpp",
      "if (isOnSeam_[v]) return", "if (callerOf(v) >= 0) return"),
     ("audit: second fans", "output/audit.cpp",
