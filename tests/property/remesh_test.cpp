@@ -640,6 +640,41 @@ TEST(Border, ItsVerticesLeaveItByNoMoreThanIsPromised)
 	EXPECT_LT(farthestOffBorder(tube, unfitted.mesh), 1e-6);
 }
 
+/// The largest distance of a vertex from its point on the input, in mean edges of the result.
+double farthestFromPoint(const TriangleMesh& input, const RemeshResult& r)
+{
+	double most = 0;
+	for (std::size_t v = 0; v < r.mesh.vertexNum(); ++v) {
+		const BarycentricPoint& at = r.surfacePoints[v];
+		Vec3d                   place;
+		for (std::size_t k = 0; k < 3; ++k)
+			place += input.positions[std::size_t(input.triangles[3 * std::size_t(at.face) + k])] *
+					 double(at.weight[k]);
+		most = std::max(most, length(place - r.mesh.positions[v]));
+	}
+	return most / r.report.quality.meanEdgeLen;
+}
+
+/// The point carries attributes: on a thin bar another side is near.
+TEST(PointsOfVertices, LieBelowTheVertices)
+{
+	const TriangleMesh bar = box(200, 12, 12, {1, 0.06, 0.06});
+	for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+		for (std::int64_t num : {100, 300, 900}) {
+			for (const Preset preset : {Preset::Default, Preset::Fast}) {
+				RemeshOptions options   = percentOptions(10, seed);
+				options.targetMode      = TargetMode::VertexNum;
+				options.targetVertexNum = num;
+				options.preset          = preset;
+				options.featureMode     = num == 100 ? FeatureMode::Off : FeatureMode::Auto;
+				const RemeshResult r    = remesh(bar.view(), options);
+				ASSERT_EQ(r.status, Status::Ok) << r.message;
+				EXPECT_LT(farthestFromPoint(bar, r), 0.5) << num << " vertices, seed " << seed;
+			}
+		}
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -95,6 +95,18 @@ TEST(Curve, FindsPlacesByArcLength)
 	EXPECT_FLOAT_EQ(deviation(c, 4.5f, 5.5f), float(std::sqrt(0.125))) << "on the second lap";
 }
 
+/// Rounding puts the end of a stretch beyond the end of the curve.
+TEST(Curve, TheEndOfAnOpenCurveIsItsLastPoint)
+{
+	Curve c    = closedCurve(12, circle);
+	c.isClosed = false;
+	c.length   = c.arc.back();
+	std::vector<float> arcs;
+	forEachPointBetween(c, c.arc[8], std::nextafter(c.length, 10.0f),
+						[&](const Vec3f&, float s) { arcs.push_back(s); });
+	EXPECT_EQ(arcs, (std::vector<float>{c.arc[9], c.arc[10], c.arc[11]}));
+}
+
 TEST(SpaceOut, IsEvenOnACircleForAnyChord)
 {
 	const Curve c = closedCurve(2000, circle);

@@ -64,7 +64,8 @@ template <class Visit>
 inline void forEachPointBetween(const Curve& c, float a, float b, const Visit& visit)
 {
 	const int lap = a >= c.length ? c.pointNum() : 0;
-	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
+	const int end = (c.isClosed ? 3 : 1) * c.pointNum(); // rounding puts b beyond an open curve
+	for (int i = c.segmentAt(a) + 1 + lap; i < end; ++i) {
 		const int   round = i / c.pointNum();
 		const float s     = c.arc[i % c.pointNum()] + float(round) * c.length;
 		if (s >= b) break;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "walk.h"
 
+#include "local_nearest.h"
+
 #include <vcg_extras/core/base/triangle.h>
 
 #include <algorithm>
@@ -199,9 +201,16 @@ WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 
 void followOnSurface(const Surface& surface, int v, ResultMesh& r)
 {
-	ResultVertex& record = r.vertex[v];
-	const Vec3f   step   = r.mesh.position[v] - record.point.position;
+	const HalfEdgeMesh& m      = surface.mesh;
+	const Vec3f         place  = r.mesh.position[v];
+	ResultVertex&       record = r.vertex[v];
+	const int           from   = m.origin[3 * record.point.face];
+	const Vec3f         step   = place - record.point.position;
 	walkBy(surface, tangential(step, record.normal), record);
+	// Round a crease edge a walk leads away, and each further walk would lead farther away.
+	if (squaredLength(place - record.point.position) <= squaredLength(step)) return;
+	record.point  = nearestByDescent(m, from, place);
+	record.normal = m.faceNormal(record.point.face);
 }
 
 std::vector<int> facesAt(const HalfEdgeMesh& m, const SurfacePoint& at)

@@ -30,7 +30,8 @@ WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
 /// Moves the record of a vertex by a walk. The step must be perpendicular to the record's normal.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
-/// Moves the record of vertex v below the vertex, after a move of the vertex off the surface.
+/// Moves the record of vertex v below the vertex, after a move of the vertex off the surface: by a
+/// walk, or to the nearest point of the same sheet if the walk ends farther from the vertex.
 void followOnSurface(const Surface& surface, int v, ResultMesh& result);
 
 /// The faces of a point: its own face, and up to rounding all faces at the point's edge or corner.
