@@ -179,6 +179,7 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 				  line);
 	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
 	addInGroups(*levels, tableOptions(RemeshTool, given, isForLevels));
+	addInGroups(*levels, valueOptions(line));
 	addOutcome(*levels, line, "Write a report of each level as JSON, in the list 'levels'");
 	return levels;
 }

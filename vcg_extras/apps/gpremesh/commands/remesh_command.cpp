@@ -286,8 +286,8 @@ std::string pathOfLevel(const std::string& pattern, std::size_t level)
 {
 	const std::string place = levelPlace;
 	std::string       path  = pattern;
-	const std::size_t at    = path.find(place);
-	if (at != std::string::npos) path.replace(at, place.size(), std::to_string(level));
+	for (std::size_t at; (at = path.find(place)) != std::string::npos;)
+		path.replace(at, place.size(), std::to_string(level));
 	return path;
 }
 
