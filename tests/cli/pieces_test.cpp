@@ -95,7 +95,7 @@ TEST_F(Pieces, NoResultReplacesAnInput)
 	const std::string before = content(east);
 	for (const std::string& folder : {path(""), path("."), path("made"), path("link")}) {
 		expectFailure(run({"remesh", west, east, "--out-dir", folder}), 2,
-					  "would replace the input");
+					  "would replace an input");
 	}
 	EXPECT_EQ(content(east), before);
 	fs::remove(path("made/west.ply"));

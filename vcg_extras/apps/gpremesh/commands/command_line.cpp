@@ -39,19 +39,24 @@ void checkReport(const CommandLine& line)
 	}
 }
 
+bool isInput(const std::string& path, const CommandLine& line)
+{
+	std::error_code error;
+	return std::filesystem::exists(path, error) &&
+		   std::any_of(line.pieces.begin(), line.pieces.end(),
+					   [&](const std::string& piece) { return sameFile(path, piece); });
+}
+
 /// OUT may be IN, but a whole folder of inputs is too easily named by mistake.
 void requireOtherFolder(const CommandLine& line)
 {
-	for (const std::string& written : line.pieces) {
-		const std::string path = pathOfPiece(line, written);
-		std::error_code   error;
-		if (!std::filesystem::exists(path, error)) continue;
-		for (const std::string& read : line.pieces) {
-			if (sameFile(path, read))
-				failUsage("'" + path + "' would replace the input '" + read +
-						  "'; --out-dir must name another folder.");
-		}
-	}
+	const auto replacer =
+		std::find_if(line.pieces.begin(), line.pieces.end(), [&](const std::string& piece) {
+			return isInput(pathOfPiece(line, piece), line);
+		});
+	if (replacer != line.pieces.end())
+		failUsage("'" + pathOfPiece(line, *replacer) +
+				  "' would replace an input; --out-dir must name another folder.");
 }
 
 void checkPieces(const CommandLine& line)
