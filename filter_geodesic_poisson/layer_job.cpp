@@ -140,8 +140,13 @@ gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const M
 	gpr::RemeshOptions options = read.values.options();
 	options.period             = {read.own<double>("PeriodX"), read.own<double>("PeriodY"),
 								  read.own<double>("PeriodZ")};
-	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) == QualitySizes::Exact)
+	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) == QualitySizes::Exact) {
+		// The number of vertices always has a value, so only another size is a second choice.
+		if (options.targetMode != gpr::TargetMode::VertexNum)
+			throw Refusal("Give either exact sizes from the vertex quality or another size, not "
+						  "both.");
 		options.targetMode = gpr::TargetMode::Sizes;
+	}
 	const bool makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
 	options.surfacePointsOfFaces =
 		makesFaces && ((layer.dataMask() & kCarriedFaceMask) != 0 || !layer.cm.face_attr.empty());

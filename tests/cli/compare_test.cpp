@@ -235,7 +235,8 @@ TEST_F(Compare, MistakesAreTold)
 	expectFailure(compare(mesh, {"--runs", "0"}), 2, "--runs");
 	expectFailure(compare(mesh, {"--time-limit", "3"}), 2);
 	expectFailure(compare(mesh, {"--selected"}), 2);
-	expectFailure(compare(mesh, {"--vertices", "2"}), 4, "smallest");
+	expectFailure(compare(mesh, {"--vertices", "2", "--html", path("new/page")}), 4, "smallest");
+	EXPECT_FALSE(exists(path("new"))) << "a run that fails leaves no folder";
 	expectFailure(compare(mesh, {"--html", put("file", "")}), 1, "folder");
 	expectFailure(run({"compare", put("bad.ply", "no mesh")}), 3);
 }

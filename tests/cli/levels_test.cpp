@@ -99,6 +99,69 @@ TEST_F(Levels, ComeIntoOneBinaryGltfFile)
 	EXPECT_EQ(gpr::app::glbChunksOf(content(path("out_2.glb"))).json["nodes"].size(), 1u);
 }
 
+/// The root of the file has the most vertices, whatever the order of the sizes.
+TEST_F(Levels, OfOneFileComeFromFineToCoarse)
+{
+	const std::string in = put("in.ply", binaryPly(sphere(40), true, false));
+	for (const char* name : {"sorted.glb", "unsorted.glb"}) {
+		const std::string sizes = name[0] == 's' ? "300,200,100" : "100,300,200";
+		ASSERT_EQ(run({"levels", in, path(name), "--vertices", sizes, "--report", path("r.json")})
+					  .exitCode,
+				  0);
+		const Json levels = Json::parse(content(path("r.json")))["levels"];
+		for (int i = 0; i < 3; ++i)
+			EXPECT_EQ(levels[i]["result"]["vertices"], 300 - 100 * i);
+	}
+	EXPECT_EQ(content(path("unsorted.glb")), content(path("sorted.glb")));
+	ASSERT_EQ(run({"levels", in, path("l{level}_{level}.ply"), "--vertices", "100,300"}).exitCode,
+			  0);
+	EXPECT_EQ(written("l1_1.ply").points.size(), 100u) << "files keep the order of the sizes";
+	EXPECT_EQ(written("l2_2.ply").points.size(), 300u);
+}
+
+/// A wavy square with the size and the group of each vertex, and with two regions.
+std::string squareWithValues()
+{
+	const TestMesh mesh = grid(20);
+	std::string    file = "ply\nformat ascii 1.0\nelement vertex " +
+					   std::to_string(mesh.points.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+					   "size\nproperty float "
+					   "group\nelement face " +
+					   std::to_string(mesh.faces.size()) +
+					   "\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n";
+	for (const auto& p : mesh.points)
+		file += digits(p[0]) + " " + digits(p[1]) + " 0 " + digits(0.05 + 0.1 * p[0]) + " " +
+				digits(10 * p[1]) + "\n";
+	for (const auto& f : mesh.faces)
+		file += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
+				std::to_string(f[2]) + (mesh.points[std::size_t(f[0])][1] < 0.5 ? " 1\n" : " 2\n");
+	return file;
+}
+
+TEST_F(Levels, HaveTheOptionsForValuesAndPeriods)
+{
+	const std::string in = put("in.ply", squareWithValues());
+	for (const std::vector<std::string>& options :
+		 std::vector<std::vector<std::string>>{{"--sizes", "size"},
+											   {"--regions", "part"},
+											   {"--transfer", "nearest"},
+											   {"--periodic", "1,1,0"}}) {
+		std::vector<std::string> levels = {"levels", in, path("out_{level}.ply"), "--vertices",
+										   "150,100"};
+		std::vector<std::string> single = {"remesh", in, path("single.ply"), "--vertices", "100"};
+		const std::vector<std::string> plain = single;
+		for (std::vector<std::string>* words : {&levels, &single})
+			words->insert(words->end(), options.begin(), options.end());
+		const ProgramResult made = run(levels);
+		ASSERT_EQ(made.exitCode, 0) << options[0] << " " << made.err;
+		ASSERT_EQ(run(single).exitCode, 0) << options[0];
+		EXPECT_EQ(content(path("out_2.ply")), content(path("single.ply"))) << options[0];
+		ASSERT_EQ(run(plain).exitCode, 0);
+		EXPECT_NE(content(path("out_2.ply")), content(path("single.ply"))) << options[0];
+	}
+}
+
 TEST_F(Levels, LossesOfOneBinaryGltfFileAreTold)
 {
 	std::string         file = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"

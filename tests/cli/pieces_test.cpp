@@ -84,6 +84,26 @@ TEST_F(Pieces, WhatCannotBeMeantIsRefusedBeforeAnyWork)
 	EXPECT_FALSE(std::filesystem::exists(path("made")));
 }
 
+TEST_F(Pieces, NoResultReplacesAnInput)
+{
+	namespace fs           = std::filesystem;
+	const std::string west = put("west.ply", binaryPly(square(0), true, false));
+	const std::string east = put("east.ply", binaryPly(square(1), true, false));
+	fs::create_directory(path("made"));
+	fs::create_symlink(path("east.ply"), path("made/west.ply"));
+	fs::create_directory_symlink(path(""), path("link"));
+	const std::string before = content(east);
+	for (const std::string& folder : {path(""), path("."), path("made"), path("link")}) {
+		expectFailure(run({"remesh", west, east, "--out-dir", folder}), 2,
+					  "would replace an input");
+	}
+	EXPECT_EQ(content(east), before);
+	fs::remove(path("made/west.ply"));
+	put("made/west.ply", "of an earlier run");
+	EXPECT_EQ(run({"remesh", west, east, "--out-dir", path("made"), "--vertices", "300"}).exitCode,
+			  0);
+}
+
 TEST_F(Pieces, AnInputThatCannotBeReadLeavesNoFolder)
 {
 	const std::string west = put("west.ply", binaryPly(square(0), true, false));

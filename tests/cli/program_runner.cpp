@@ -118,12 +118,18 @@ std::vector<std::string> CliTest::files() const
 
 ProgramResult CliTest::run(const std::vector<std::string>& arguments, double timeLimit) const
 {
-	return run(arguments, timeLimit, 0, stream("err"));
+	return run(arguments, timeLimit, 0, stream("out"), stream("err"));
 }
 
 ProgramResult CliTest::runAndSignal(const std::vector<std::string>& arguments, int signal) const
 {
-	return run(arguments, 60, signal, stream("err"));
+	return run(arguments, 60, signal, stream("out"), stream("err"));
+}
+
+ProgramResult CliTest::runPrintingTo(const std::string&              file,
+									 const std::vector<std::string>& arguments) const
+{
+	return run(arguments, 60, 0, file, stream("err"));
 }
 
 ProgramResult CliTest::runOnTerminal(const std::vector<std::string>& arguments) const
@@ -133,7 +139,7 @@ ProgramResult CliTest::runOnTerminal(const std::vector<std::string>& arguments) 
 		throw std::runtime_error("no pseudo terminal");
 	}
 	// The terminal holds the program's whole output until the program has ended.
-	ProgramResult result = run(arguments, 60, 0, ::ptsname(terminal));
+	ProgramResult result = run(arguments, 60, 0, stream("out"), ::ptsname(terminal));
 	char          text[4096];
 	for (ssize_t got; (got = ::read(terminal, text, sizeof text)) > 0;) {
 		result.err.append(text, std::size_t(got));
@@ -143,13 +149,13 @@ ProgramResult CliTest::runOnTerminal(const std::vector<std::string>& arguments) 
 }
 
 ProgramResult CliTest::run(const std::vector<std::string>& arguments, double timeLimit, int signal,
-						   const std::string& errorTo) const
+						   const std::string& outputTo, const std::string& errorTo) const
 {
 	using Clock = std::chrono::steady_clock;
 	std::vector<std::string> all{programPath()};
 	all.insert(all.end(), arguments.begin(), arguments.end());
 	const auto    begin = Clock::now();
-	const pid_t   child = start(all, stream("out"), errorTo);
+	const pid_t   child = start(all, outputTo, errorTo);
 	ProgramResult result;
 	int           status = 0;
 	while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -166,7 +172,7 @@ ProgramResult CliTest::run(const std::vector<std::string>& arguments, double tim
 	}
 	result.seconds  = std::chrono::duration<double>(Clock::now() - begin).count();
 	result.exitCode = exitCodeOf(status);
-	result.out      = fileContent(stream("out"));
+	if (outputTo == stream("out")) result.out = fileContent(outputTo);
 	if (errorTo == stream("err")) result.err = fileContent(errorTo);
 	return result;
 }

@@ -36,6 +36,9 @@ protected:
 	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit = 30) const;
 	/// Runs gpremesh and sends a signal as soon as the program has a handler for the signal.
 	ProgramResult runAndSignal(const std::vector<std::string>& arguments, int signal) const;
+	/// Runs gpremesh with a file or device as standard output.
+	ProgramResult runPrintingTo(const std::string&              file,
+								const std::vector<std::string>& arguments) const;
 	/// Runs gpremesh with a terminal as standard error.
 	ProgramResult runOnTerminal(const std::vector<std::string>& arguments) const;
 
@@ -44,7 +47,7 @@ private:
 
 	std::string   stream(const std::string& name) const { return folder_ + "/.streams/" + name; }
 	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit, int signal,
-					  const std::string& errorTo) const;
+					  const std::string& outputTo, const std::string& errorTo) const;
 };
 
 /// Expects a failed run: this exit code, nothing on standard output, and one sentence after the

@@ -572,6 +572,68 @@ TEST_F(Remesh, TheTimeLimitEndsItAndLeavesTheOldFile)
 			  0);
 }
 
+/// Each command with an older output, and the name of this output.
+std::vector<std::pair<std::vector<std::string>, std::string>>
+commandsWithOutput(const std::string& in, const std::string& folder)
+{
+	return {{{"remesh", in, folder + "/out.ply"}, "out.ply"},
+			{{"remesh", in, "--out-dir", folder}, "in.ply"},
+			{{"features", in, folder + "/out.ply"}, "out.ply"},
+			{{"levels", in, folder + "/out_{level}.ply", "--percent", "30,20"}, "out_1.ply"},
+			{{"levels", in, folder + "/out.glb", "--percent", "30,20"}, "out.glb"},
+			{{"remesh", in, folder + "/tiles", "--tiles-out", "2"}, "tiles/tile0.ply"}};
+}
+
+class FullDevice : public Remesh {
+protected:
+	/// Runs each command with an older output. Expects a failure that leaves the older output
+	/// alone.
+	template <typename Run>
+	void expectOldFiles(Run&& runWith)
+	{
+		const std::string in = put("in.ply", binaryPly(sphere(20), true, false));
+		for (const auto& [command, name] : commandsWithOutput(in, path("made"))) {
+			std::filesystem::create_directories(path("made/tiles"));
+			put("made/" + name, "old");
+			const ProgramResult failed = runWith(command);
+			EXPECT_EQ(failed.exitCode, 1) << command[0] << ": " << failed.err;
+			EXPECT_NE(failed.err.find("cannot write"), std::string::npos) << failed.err;
+			EXPECT_EQ(content(path("made/" + name)), "old") << command[0] << " " << name;
+			std::filesystem::remove(path("made/" + name));
+			EXPECT_TRUE(std::filesystem::is_empty(path("made/tiles")));
+			std::filesystem::remove(path("made/tiles"));
+			EXPECT_TRUE(std::filesystem::is_empty(path("made"))) << command[0] << " " << name;
+		}
+	}
+};
+
+TEST_F(FullDevice, ForTheReportLeavesTheOldFile)
+{
+	expectOldFiles([&](std::vector<std::string> command) {
+		command.insert(command.end(), {"--report", "/dev/full", "--quiet"});
+		return run(command);
+	});
+}
+
+TEST_F(FullDevice, ForStandardOutputLeavesTheOldFile)
+{
+	expectOldFiles([&](const std::vector<std::string>& command) {
+		return runPrintingTo("/dev/full", command);
+	});
+}
+
+TEST_F(FullDevice, ForStandardOutputIsAFailure)
+{
+	const std::string in = put("in.ply", binaryPly(sphere(20), true, false));
+	for (const std::vector<std::string>& command :
+		 std::vector<std::vector<std::string>>{{"--version"},
+											   {"remesh", "--help-all"},
+											   {"info", in},
+											   {"compare", in, "--vertices", "100", "--json"}}) {
+		expectFailure(runPrintingTo("/dev/full", command), 1, "cannot write to standard output");
+	}
+}
+
 /// A pipe without a writer: a read never ends.
 class EndlessFile {
 public:

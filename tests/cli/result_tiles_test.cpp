@@ -200,4 +200,14 @@ TEST_F(ResultTiles, ReplaceOlderTilesAndNothingElse)
 		EXPECT_EQ(name.find(".part"), std::string::npos) << name;
 }
 
+TEST_F(ResultTiles, HaveNoNameOfAMesh)
+{
+	const std::string in = put("sphere.ply", binaryPly(sphere(12), true, false));
+	expectFailure(run({"remesh", in, path("x.obj"), "--tiles-out", "2"}), 2, "is a folder");
+	expectFailure(run({"tile", "finish", path("run"), path("x.obj"), "--tiles-out", "2"}), 2,
+				  "is a folder");
+	expectFailure(run({"tile", "finish", path("run"), path("tiles")}), 2, "extension");
+	EXPECT_FALSE(exists(path("x.obj")));
+}
+
 } // namespace gpr_test

@@ -442,6 +442,28 @@ TEST(Filter, VertexQualityIsASize)
 	}
 }
 
+TEST(Filter, ExactSizesAndAnotherSizeAreRefused)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	sheet.updateDataMask(MeshModel::MM_VERTQUALITY);
+	for (CVertexO& v : sheet.cm.vert)
+		v.Q() = Scalarm(0.05);
+	std::vector<RichParameterList> lists(5, withCount(document, 200));
+	lists[0].setValue("TargetFaceNum", IntValue(300));
+	lists[1].setValue("TargetPerc", FloatValue(10));
+	lists[2].setValue("TargetLen", AbsPercValue(Scalarm(0.1)));
+	lists[3].setValue("MaxError", AbsPercValue(Scalarm(0.01)));
+	lists[4].setValue("Detail", EnumValue(1));
+	for (RichParameterList& list : lists) {
+		list.setValue("QualitySizes", EnumValue(1));
+		const Snapshot before(document);
+		EXPECT_FALSE(apply(document, list));
+		EXPECT_TRUE(document.logText().contains("Give either exact sizes"));
+		EXPECT_TRUE(before == Snapshot(document));
+	}
+}
+
 TEST(Filter, VertexQualityThatIsNoSizeIsRefused)
 {
 	Document          document;

@@ -115,6 +115,19 @@ TEST(BorderEdge, TellsTheConstantThatWouldHaveHitTheTarget)
 	EXPECT_EQ(remesh(icosphere(5).view(), options).report.radiusConstantForTarget, 0);
 }
 
+/// Kept vertices do not depend on the constant.
+TEST(BorderEdge, TellsTheCountBesideAKeptBorder)
+{
+	RemeshOptions options = borderEdges(20, 1);
+	options.boundary      = BoundaryMode::Keep;
+	const RemeshResult r  = remesh(openCylinder(60, 40, 0.5, 1).view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(r.report.radiusConstantForTarget, 0);
+	ASSERT_FALSE(r.notes.empty());
+	EXPECT_NE(r.notes[0].find("wanted vertices"), std::string::npos) << r.notes[0];
+	EXPECT_EQ(r.notes[0].find("eq. (1)"), std::string::npos) << r.notes[0];
+}
+
 /// §4 of the paper: the input should have double the vertices of the output, else edges are split.
 TEST(BorderEdge, SplitsEdgesWhereTheTargetIsAboveHalfOfTheInput)
 {

@@ -218,6 +218,22 @@ TEST(Sampling, TheNumberLandsNearTheTarget)
 	}
 }
 
+TEST(Sampling, ANumberFarFromTheTargetIsTold)
+{
+	RemeshOptions options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = 100;
+	TriangleMesh spheres    = icosphere(2);
+	for (int i = 1; i < 32; ++i)
+		spheres = joined(spheres, shifted(icosphere(2), {3.0 * i, 0, 0}));
+	const SamplingResult few = samplePoissonDisks(spheres.view(), options);
+	ASSERT_EQ(few.notes.size(), 1u);
+	EXPECT_EQ(few.notes[0],
+			  "The sampling has " + std::to_string(few.points.size()) + " points instead of 100.");
+	options.targetVertexNum = 1000;
+	EXPECT_TRUE(samplePoissonDisks(icosphere(4).view(), options).notes.empty());
+}
+
 /// Feature lines leave gaps beside the other samples; the disk radius is corrected for the gaps.
 TEST(Sampling, TheNumberLandsNearTheTargetBesideFeatureLines)
 {

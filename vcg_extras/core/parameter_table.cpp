@@ -151,8 +151,11 @@ Row row(Table& t, unsigned tools, const char* key, const char* option, const cha
 void addSize(Table& t)
 {
 	row(t, sampled, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
-		"The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. "
-		"If the topology needs more vertices, the run is refused, and the message names the "
+		"The number of vertices of the result: exact for a remeshing. A sampling is about a tenth "
+		"off on closed surfaces with some hundred vertices, and more with fewer vertices, with a "
+		"varying density, and if borders, components or feature lines need samples of their own; a "
+		"note tells the difference. If the topology needs more vertices, the run is refused, and "
+		"the message names the "
 		"smallest possible number. If only the selected faces are remeshed, the number counts the "
 		"vertices of this part.")
 		.inDialog("Used only while faces, percentage, edge length and largest error are 0. The "
@@ -202,8 +205,9 @@ void addPreset(Table& t)
 		"feature lines leave their curves by at most 8 % of an edge. fast: less than half the "
 		"time, without the steps for regularity; one step raises each vertex over its neighbours "
 		"in place of the fit. paper: each stage as in the paper; every vertex stays on the "
-		"surface, and the number of vertices is right to a tenth only. A sampling is the same with "
-		"default and fast.")
+		"surface, and the number of vertices is not exact: about a tenth off on closed surfaces, "
+		"more with borders and many components; a note tells the difference. A sampling is the "
+		"same with default and fast.")
 		.choices({"default", "fast", "paper"})
 		.sets<&RemeshOptions::preset>();
 }

@@ -222,14 +222,13 @@ void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::str
 }
 
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-			   const std::string& path, const RunLimit& limit)
+			   OutputFile& out)
 {
-	requireFaces(mesh, doublePrecision, path);
-	const MeshFormat format = formatOfPath(path);
+	requireFaces(mesh, doublePrecision, out.path());
+	const MeshFormat format = formatOfPath(out.path());
 	doublePrecision         = doublePrecision && nameOfFloatFormat(format).empty();
-	OutputFile out(path, limit);
 	tellLost(format, attributes);
-	seeFilesFrom(folderOf(path), format, attributes);
+	seeFilesFrom(folderOf(out.path()), format, attributes);
 	switch (format) {
 	case MeshFormat::Ply:
 		nameMaterials(attributes);
@@ -255,6 +254,14 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeThreeMf(mesh, attributes.unit, out);
 		break;
 	}
+	out.finish();
+}
+
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const RunLimit& limit)
+{
+	OutputFile out(path, limit);
+	writeMesh(mesh, doublePrecision, attributes, out);
 	out.commit();
 }
 

@@ -4,7 +4,7 @@
 #define VCG_EXTRAS_IO_MESH_IO_H
 
 #include <vcg_extras/core/options.h>
-#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <string>
@@ -39,10 +39,13 @@ std::string nameOfFloatFormat(MeshFormat format);
 /// floats would spoil faces: facesSpoiledByFloat.
 void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::string& path);
 
-/// Writes a mesh in the format of the path's extension; an older file is replaced only after
-/// success. Throws AppError (Failure) otherwise, and as requireFaces. Throws (Stopped), with the
-/// older file unchanged, if the run has to end. attributes.lost receives words for data that the
-/// format does not hold.
+/// Writes a mesh in the format of the path's extension, and finishes the file. Throws AppError
+/// (Failure) if writing fails, and as requireFaces. Throws (Stopped) if the run has to end.
+/// attributes.lost receives words for data that the format does not hold.
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   OutputFile& out);
+
+/// The same, and puts the file in its place; an older file is replaced only after success.
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit);
 

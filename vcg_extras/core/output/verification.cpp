@@ -22,19 +22,21 @@ namespace {
 /// constant that would have met the target, as the count is proportional to 1/c².
 double tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
-	// The number of kept vertices does not depend on the radius.
-	if (!isPaper(run.options) || expected.vertexNum == 0 || expected.keptNum > 0) return 0;
+	if (!isPaper(run.options) || expected.vertexNum == 0) return 0;
 	const double share    = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	const double constant = radiusConstant(run.options);
 	const double better   = constant * std::sqrt(share);
-	char         sentence[200];
-	std::snprintf(sentence, sizeof sentence,
-				  "The result has %lld of %lld wanted vertices (%+.1f %%). The constant %.3f in "
-				  "eq. (1), instead of %.3f, would give about the wanted number.",
+	const bool   isHelp   = expected.keptNum == 0; // kept vertices do not depend on the radius
+	char         found[100], advice[100];
+	std::snprintf(found, sizeof found, "The result has %lld of %lld wanted vertices (%+.1f %%).",
 				  static_cast<long long>(result.mesh.vertexNum),
-				  static_cast<long long>(expected.vertexNum), 100 * (share - 1), better, constant);
-	run.tell(sentence);
-	return better;
+				  static_cast<long long>(expected.vertexNum), 100 * (share - 1));
+	std::snprintf(advice, sizeof advice,
+				  " The constant %.3f in eq. (1), instead of %.3f, would give about the wanted "
+				  "number.",
+				  better, constant);
+	run.tell(found + std::string(isHelp ? advice : ""));
+	return isHelp ? better : 0;
 }
 
 std::int64_t tellKept(RunContext& run, const Expected& expected, const ResultMesh& result)

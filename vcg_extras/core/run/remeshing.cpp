@@ -16,6 +16,7 @@
 #include <vcg_extras/core/surface/barycentric_point.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <optional>
 #include <random>
@@ -47,6 +48,14 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 					  "lengths of the vertices, or the largest edge.");
 	}
 	return options;
+}
+
+/// A sampling is not corrected: borders, lines and small components need samples of their own.
+void tellSampleNum(RunContext& run, std::int64_t wanted, std::size_t num)
+{
+	if (wanted == 0 || std::abs(double(num) / double(wanted) - 1) <= 0.1) return;
+	run.tell("The sampling has " + std::to_string(num) + " points instead of " +
+			 std::to_string(wanted) + ".");
 }
 
 } // namespace
@@ -180,6 +189,7 @@ void Remeshing::exportSamples()
 		samples->radii.push_back(radius * double(s.size));
 	}
 	samples->diskRadius = radius;
+	tellSampleNum(setup_.run, plan_.decisions().vertexNum, samples->points.size());
 }
 
 namespace {

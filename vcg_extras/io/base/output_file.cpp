@@ -99,12 +99,19 @@ void OutputFile::position(const Vec3d& p, bool doublePrecision)
 	bytes(line, std::size_t(at - line));
 }
 
-void OutputFile::commit()
+void OutputFile::finish()
 {
+	if (file_ == nullptr) return;
 	flush();
+	buffer_           = {};
 	const bool closed = std::fclose(file_) == 0;
 	file_             = nullptr;
 	if (!closed) fail();
+}
+
+void OutputFile::commit()
+{
+	finish();
 	if (temporary_.empty()) return;
 
 	std::error_code       error;
@@ -121,6 +128,21 @@ void writeText(const std::string& path, const std::string& text, const RunLimit&
 	OutputFile out(path, limit);
 	out.text(text);
 	out.commit();
+}
+
+NewFolder::NewFolder(const std::string& path)
+{
+	std::error_code error;
+	for (fs::path at = path; !at.empty() && !fs::exists(at, error); at = at.parent_path())
+		made_.push_back(at);
+	if (!made_.empty()) fs::create_directories(path, error);
+}
+
+NewFolder::~NewFolder()
+{
+	std::error_code error;
+	for (const fs::path& made : made_)
+		fs::remove(made, error);
 }
 
 void checkWritable(const std::string& path)

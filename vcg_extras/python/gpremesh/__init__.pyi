@@ -100,10 +100,12 @@ def remesh(
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled if the function returns False or raises.
     vertex_count : int, optional
-        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
-        the topology needs more vertices, the run is refused, and the message names the smallest
-        possible number. If only the selected faces are remeshed, the number counts the vertices of
-        this part.
+        The number of vertices of the result: exact for a remeshing. A sampling is about a tenth off
+        on closed surfaces with some hundred vertices, and more with fewer vertices, with a varying
+        density, and if borders, components or feature lines need samples of their own; a note tells
+        the difference. If the topology needs more vertices, the run is refused, and the message
+        names the smallest possible number. If only the selected faces are remeshed, the number
+        counts the vertices of this part.
     face_count : int, optional
         The exact number of faces of the result. A closed surface has an even number, about twice
         the number of vertices. A surface with a border can have any number, unless all border
@@ -128,7 +130,8 @@ def remesh(
         lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
         the steps for regularity; one step raises each vertex over its neighbours in place of the
         fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
-        vertices is right to a tenth only. A sampling is the same with default and fast.
+        vertices is not exact: about a tenth off on closed surfaces, more with borders and many
+        components; a note tells the difference. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
@@ -324,10 +327,12 @@ def remesh_together(
     progress
         As for `remesh`.
     vertex_count : int, optional
-        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
-        the topology needs more vertices, the run is refused, and the message names the smallest
-        possible number. If only the selected faces are remeshed, the number counts the vertices of
-        this part.
+        The number of vertices of the result: exact for a remeshing. A sampling is about a tenth off
+        on closed surfaces with some hundred vertices, and more with fewer vertices, with a varying
+        density, and if borders, components or feature lines need samples of their own; a note tells
+        the difference. If the topology needs more vertices, the run is refused, and the message
+        names the smallest possible number. If only the selected faces are remeshed, the number
+        counts the vertices of this part.
     face_count : int, optional
         The exact number of faces of the result. A closed surface has an even number, about twice
         the number of vertices. A surface with a border can have any number, unless all border
@@ -352,7 +357,8 @@ def remesh_together(
         lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
         the steps for regularity; one step raises each vertex over its neighbours in place of the
         fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
-        vertices is right to a tenth only. A sampling is the same with default and fast.
+        vertices is not exact: about a tenth off on closed surfaces, more with borders and many
+        components; a note tells the difference. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
@@ -528,10 +534,12 @@ def sample(
     vertices, faces, region, feature_edges, progress
         As for `remesh`.
     count : int, optional
-        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
-        the topology needs more vertices, the run is refused, and the message names the smallest
-        possible number. If only the selected faces are remeshed, the number counts the vertices of
-        this part.
+        The number of vertices of the result: exact for a remeshing. A sampling is about a tenth off
+        on closed surfaces with some hundred vertices, and more with fewer vertices, with a varying
+        density, and if borders, components or feature lines need samples of their own; a note tells
+        the difference. If the topology needs more vertices, the run is refused, and the message
+        names the smallest possible number. If only the selected faces are remeshed, the number
+        counts the vertices of this part.
     percent : float, optional
         The number of vertices in percent of the input's vertices, at most 10000. If the topology
         needs more vertices, the result has more.
@@ -545,7 +553,8 @@ def sample(
         lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
         the steps for regularity; one step raises each vertex over its neighbours in place of the
         fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
-        vertices is right to a tenth only. A sampling is the same with default and fast.
+        vertices is not exact: about a tenth off on closed surfaces, more with borders and many
+        components; a note tells the difference. A sampling is the same with default and fast.
     adapt : float or 'auto', default 'auto'
         Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
         the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes

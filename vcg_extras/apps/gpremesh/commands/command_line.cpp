@@ -16,11 +16,13 @@ namespace gpr::app {
 
 namespace {
 
+/// Links followed; files that do not exist yet have the same path.
 bool sameFile(const std::string& a, const std::string& b)
 {
+	namespace fs = std::filesystem;
 	std::error_code error;
-	return std::filesystem::weakly_canonical(a, error) ==
-		   std::filesystem::weakly_canonical(b, error);
+	return fs::equivalent(a, b, error) ||
+		   fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
 void checkReport(const CommandLine& line)
@@ -37,6 +39,26 @@ void checkReport(const CommandLine& line)
 	}
 }
 
+bool isInput(const std::string& path, const CommandLine& line)
+{
+	std::error_code error;
+	return std::filesystem::exists(path, error) &&
+		   std::any_of(line.pieces.begin(), line.pieces.end(),
+					   [&](const std::string& piece) { return sameFile(path, piece); });
+}
+
+/// OUT may be IN, but a whole folder of inputs is too easily named by mistake.
+void requireOtherFolder(const CommandLine& line)
+{
+	const auto replacer =
+		std::find_if(line.pieces.begin(), line.pieces.end(), [&](const std::string& piece) {
+			return isInput(pathOfPiece(line, piece), line);
+		});
+	if (replacer != line.pieces.end())
+		failUsage("'" + pathOfPiece(line, *replacer) +
+				  "' would replace an input; --out-dir must name another folder.");
+}
+
 void checkPieces(const CommandLine& line)
 {
 	std::set<std::string> names;
@@ -50,6 +72,7 @@ void checkPieces(const CommandLine& line)
 		failUsage("Several files are joined along coinciding borders; --sew off is not possible.");
 	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
 		failUsage("Tiles are made from a single file only.");
+	requireOtherFolder(line);
 	checkReport(line);
 }
 
@@ -71,19 +94,26 @@ void checkLevels(const CommandLine& line)
 	checkReport(line);
 }
 
+void checkOutputPath(const CommandLine& line)
+{
+	if (line.outTileNum > 0 && isMeshName(line.output))
+		failUsage("With --tiles-out OUT is a folder and cannot have the name of a mesh, '" +
+				  line.output + "'.");
+	const bool isPly = line.outTileNum > 0 || formatOfPath(line.output) == MeshFormat::Ply;
+	if (line.command == Command::Features && !isPly)
+		failUsage("features writes .ply only, the only format with quality and colour.");
+	checkReport(line);
+}
+
 void checkPaths(const CommandLine& line)
 {
-	if (line.command == Command::Tile) return;
+	const bool isTile = line.command == Command::Tile;
+	if (isTile && line.tiles.step == TileStep::Finish) return checkOutputPath(line);
+	if (isTile) return;
 	if (!line.pieces.empty()) return checkPieces(line);
 	formatOfPath(line.input);
 	if (line.command == Command::Levels) return checkLevels(line);
-	if (line.command != Command::Remesh && line.command != Command::Features) return;
-	if (line.outTileNum > 0) return checkReport(line);
-	const MeshFormat written = formatOfPath(line.output);
-	if (line.command == Command::Features && written != MeshFormat::Ply) {
-		failUsage("features writes .ply only, the only format with quality and colour.");
-	}
-	checkReport(line);
+	if (line.command == Command::Remesh || line.command == Command::Features) checkOutputPath(line);
 }
 
 void takeSizes(const GivenOptions& given, CommandLine& line)
@@ -104,6 +134,17 @@ void takePeriod(CommandLine& line)
 }
 
 } // namespace
+
+bool isMeshName(const std::string& path)
+{
+	try {
+		formatOfPath(path);
+		return true;
+	}
+	catch (const AppError&) {
+		return false;
+	}
+}
 
 std::string withoutSlashAtEnd(const std::string& path)
 {
@@ -132,6 +173,8 @@ void complete(const GivenOptions& given, CommandLine& line)
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
 	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);
+	std::vector<double>& sizes = line.levels.sizes;
+	if (isOneFile(line)) std::sort(sizes.rbegin(), sizes.rend()); // the finest level is the root
 	checkPaths(line);
 }
 

@@ -73,6 +73,9 @@ struct CommandLine {
 									///< progress bar
 };
 
+/// Whether a path has an extension of a mesh that this build writes.
+bool isMeshName(const std::string& path);
+
 /// Path of the result of one of several files.
 std::string pathOfPiece(const CommandLine& line, const std::string& piece);
 

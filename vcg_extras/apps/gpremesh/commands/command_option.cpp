@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
+#include <sstream>
 
 namespace gpr::app {
 
@@ -53,7 +54,50 @@ std::uint64_t parseBytes(const std::string& word)
 	return std::uint64_t(number) * unit;
 }
 
+std::vector<double> parsePeriod(const std::string& word)
+{
+	std::vector<double> period;
+	std::istringstream  parts(word);
+	for (std::string part; std::getline(parts, part, ',');) {
+		period.push_back(0);
+		if (!parseNumber(part, period.back())) period.clear();
+	}
+	if (period.size() != 3)
+		failUsage("--periodic takes three numbers, separated by commas, not '" + word + "'.");
+	return period;
+}
+
+CommandOption transferOption(CommandLine& line)
+{
+	const auto take = [&line](const std::string& word) {
+		if (word != "mean" && word != "nearest")
+			failUsage("--transfer takes mean or nearest, not '" + word + "'.");
+		line.transfer = word == "mean" ? Transfer::Mean : Transfer::Nearest;
+	};
+	return {
+		"--transfer", "mean|nearest",
+		"Values of the result's vertices: mean of the corners of the input face at the\n"
+		"vertex, or value of the nearest corner. Default: nearest for labels (whole numbers) and\n"
+		"for palette colours, mean for all other values",
+		take, dataGroup};
+}
+
+CommandOption periodicOption(CommandLine& line)
+{
+	return {"--periodic", "X,Y,Z",
+			"IN is a periodic cell with these lengths, 0 along an axis without a period. The\n"
+			"vertices of opposite borders are one period apart. Implies --boundary match.\n"
+			"Refused if the opposite borders of IN are not one period apart",
+			[&line](const std::string& word) { line.period = parsePeriod(word); }, dataGroup};
+}
+
 } // namespace
+
+CommandOption textOption(const char* option, const char* argument, const char* help,
+						 std::string& kept, const char* group)
+{
+	return {option, argument, help, [&kept](const std::string& word) { kept = word; }, group};
+}
 
 std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 										bool (*isWanted)(const Parameter&))
@@ -77,6 +121,25 @@ CommandOption quietOption(CommandLine& line)
 {
 	return {"--quiet", "", "Show no progress and no summary, but errors",
 			[&line](const std::string&) { line.quiet = true; }};
+}
+
+std::vector<CommandOption> valueOptions(CommandLine& line)
+{
+	return {textOption(
+				"--regions", "NAME|off",
+				"Property of the faces of IN with the labels of regions. Region borders are kept\n"
+				"as feature lines, and the result gets the labels. Default: region, label,\n"
+				"material, group, CellEntityIds or material_index; groups and materials of OBJ\n"
+				"files, solids of STL files. off: no regions",
+				line.regions, dataGroup),
+			transferOption(line),
+			textOption(
+				"--sizes", "NAME",
+				"Property of the vertices of IN with the wanted edge lengths, in mesh units. The\n"
+				"lengths decide the number of vertices; a number of vertices or another size\n"
+				"scales all lengths by one factor",
+				line.sizes, dataGroup),
+			periodicOption(line)};
 }
 
 CommandOption memoryOption(CommandLine& line)

@@ -25,14 +25,22 @@ struct CommandOption {
 std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 										bool (*isWanted)(const Parameter&) = nullptr);
 
-/// The group of options for meshes larger than the memory.
+/// The groups of options for files and values, and for meshes larger than the memory.
+constexpr const char* dataGroup      = "Files, regions and values of the input";
 constexpr const char* largeMeshGroup = "Meshes larger than the memory";
+
+/// An option that keeps its word.
+CommandOption textOption(const char* option, const char* argument, const char* help,
+						 std::string& kept, const char* group);
 
 // Options of several commands; each fills the line.
 CommandOption reportOption(CommandLine& line, const char* help);
 CommandOption quietOption(CommandLine& line);
 CommandOption memoryOption(CommandLine& line);
 CommandOption tilesOutOption(CommandLine& line);
+
+/// Regions, transfer of values, sizes and the period; each fills the line.
+std::vector<CommandOption> valueOptions(CommandLine& line);
 
 } // namespace gpr::app
 

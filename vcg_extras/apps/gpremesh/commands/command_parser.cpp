@@ -3,6 +3,7 @@
 #include "command_parser.h"
 
 #include "command_option.h"
+#include "commands.h"
 #include "manual_page.h"
 #include "remesh_words.h"
 
@@ -11,7 +12,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <sstream>
 
@@ -179,6 +179,7 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 				  line);
 	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
 	addInGroups(*levels, tableOptions(RemeshTool, given, isForLevels));
+	addInGroups(*levels, valueOptions(line));
 	addOutcome(*levels, line, "Write a report of each level as JSON, in the list 'levels'");
 	return levels;
 }
@@ -286,11 +287,11 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 /// An option for the build, which installs the page; --help does not show this option.
 void addManualPage(CLI::App& app)
 {
-	const auto print = [&app] {
-		std::fputs(manualPage(app).c_str(), stdout);
+	const auto printPage = [&app] {
+		print(manualPage(app));
 		throw CLI::Success();
 	};
-	app.add_flag_callback("--manual-page", print)->group("");
+	app.add_flag_callback("--manual-page", printPage)->group("");
 }
 
 } // namespace

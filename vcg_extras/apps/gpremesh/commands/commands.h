@@ -5,6 +5,7 @@
 
 #include "command_line.h"
 
+#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/stopwatch.h>
 
 #include <functional>
@@ -15,8 +16,17 @@
 namespace gpr::app {
 
 /// Runs the work of a program. Prints a failure as a sentence on standard error. Returns the exit
-/// code; a full disk behind standard output is a failure.
+/// code.
 int exitCodeOfRun(const std::function<void()>& work);
+
+/// Prints on standard output. Throws AppError (Failure) if not all printed text has arrived: on a
+/// full disk behind a redirection.
+void print(const std::string& text);
+
+/// Writes the report, prints the summary, and then puts all outputs in their places: a run that
+/// fails leaves the older files.
+void endRun(const CommandLine& line, const std::string& report, const std::string& summary,
+			Outputs& outputs);
 
 /// gpremesh remesh, in tiles if the memory is too small for the whole.
 void runRemeshCommand(const CommandLine& line, const Stopwatch& programClock);
@@ -28,8 +38,8 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock);
 void checkOutput(const CommandLine& line);
 
 /// gpremesh levels: runRemesh for several sizes of an input, which is read and prepared once. Each
-/// level has a file and a proof of its distance. A failed level ends the run; the files of earlier
-/// levels stay.
+/// level has a file and a proof of its distance. A failed level ends the run, and no file is
+/// written.
 void runLevels(const CommandLine& line, const Stopwatch& programClock);
 
 /// The name of a level's file: the number, from 1 on, replaces levelPlace.

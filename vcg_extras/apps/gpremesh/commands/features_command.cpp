@@ -4,7 +4,6 @@
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/features_report.h>
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace gpr::app {
 
@@ -98,8 +96,7 @@ void putColumns(std::vector<ValueColumn> columns, MeshAttributes& attributes)
 }
 
 /// The mesh of the file and its attributes; adds to `lost` of the attributes.
-void writeFeatures(InputMesh& mesh, const FeatureResult& found, const std::string& path,
-				   const RunLimit& limit)
+void writeFeatures(InputMesh& mesh, const FeatureResult& found, OutputFile& out)
 {
 	putColumns(columnsOf(found), mesh.attributes);
 	const MeshView view = mesh.view();
@@ -107,7 +104,7 @@ void writeFeatures(InputMesh& mesh, const FeatureResult& found, const std::strin
 	same.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
 	for (std::size_t v = 0; v < view.vertexNum; ++v)
 		same.positions.push_back(view.position(v));
-	writeMesh(same, mesh.doublePrecision, mesh.attributes, path, limit);
+	writeMesh(same, mesh.doublePrecision, mesh.attributes, out);
 }
 
 FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureResult& found)
@@ -136,10 +133,12 @@ void runFeatures(const CommandLine& line, const Stopwatch& programClock)
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	InputMesh      mesh  = readAll(line.input, limit);
 	FeatureResult  found = detectWithProgress(mesh, line, limit);
-	writeFeatures(mesh, found, line.output, limit);
+	auto           out   = std::make_unique<OutputFile>(line.output, limit);
+	writeFeatures(mesh, found, *out);
 	const FeaturesRecord record = recordOf(line, mesh, found);
-	if (!line.report.empty()) writeText(line.report, featuresJson(record));
-	if (!line.quiet) std::fputs(featuresText(record).c_str(), stdout);
+	Outputs              outputs;
+	outputs.push_back(std::move(out));
+	endRun(line, featuresJson(record), featuresText(record), outputs);
 }
 
 } // namespace gpr::app

@@ -6,8 +6,6 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/io/mesh_io.h>
 
-#include <cstdio>
-
 namespace gpr::app {
 
 void runInfo(const CommandLine& line)
@@ -23,7 +21,7 @@ void runInfo(const CommandLine& line)
 	info.quality         = measureQuality(mesh.view());
 	info.parts           = measureParts(mesh);
 	info.notes           = mesh.notes;
-	std::fputs((line.json ? meshInfoJson(info) : meshInfoText(info)).c_str(), stdout);
+	print(line.json ? meshInfoJson(info) : meshInfoText(info));
 }
 
 } // namespace gpr::app

@@ -25,6 +25,7 @@ int exitCodeOfRun(const std::function<void()>& work)
 {
 	try {
 		work();
+		print(""); // the texts of the parser, too, must have arrived
 	}
 	catch (const AppError& error) {
 		return tell(error.code, error.what());
@@ -35,9 +36,28 @@ int exitCodeOfRun(const std::function<void()>& work)
 	catch (const std::exception& error) {
 		return tell(ExitCode::Failure, error.what());
 	}
-	// All printed text must have arrived: a full disk behind a redirection is a failure.
-	if (std::fflush(stdout) != 0) return tell(ExitCode::Failure, "cannot write to standard output");
 	return int(ExitCode::Done);
+}
+
+void print(const std::string& text)
+{
+	std::fputs(text.c_str(), stdout);
+	if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+		throw AppError(ExitCode::Failure, "cannot write to standard output");
+}
+
+void endRun(const CommandLine& line, const std::string& report, const std::string& summary,
+			Outputs& outputs)
+{
+	if (!line.report.empty()) {
+		auto file = std::make_unique<OutputFile>(line.report);
+		file->text(report);
+		file->finish();
+		outputs.push_back(std::move(file));
+	}
+	if (!line.quiet) print(summary);
+	for (const std::unique_ptr<Output>& output : outputs)
+		output->commit();
 }
 
 void runRemeshCommand(const CommandLine& line, const Stopwatch& programClock)

@@ -9,7 +9,6 @@
 #include <vcg_extras/core/prepared_surface.h>
 #include <vcg_extras/core/run_estimate.h>
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
@@ -18,8 +17,6 @@
 #include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -124,13 +121,15 @@ std::string targetOf(const Source& source, const CommandLine& line)
 	return line.pieces.empty() ? line.output : pathOfPiece(line, source.path);
 }
 
-void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-				 const std::string& path, const CommandLine& line, const RunLimit& limit)
+std::unique_ptr<Output> writeResult(const TriangleMesh& mesh, bool doublePrecision,
+									MeshAttributes& attributes, const std::string& path,
+									const CommandLine& line, const RunLimit& limit)
 {
 	if (line.outTileNum > 0)
-		writeTiles(mesh, doublePrecision, attributes, line.outTileNum, path, limit);
-	else
-		writeMesh(mesh, doublePrecision, attributes, path, limit);
+		return writeTiles(mesh, doublePrecision, attributes, line.outTileNum, path, limit);
+	auto out = std::make_unique<OutputFile>(path, limit);
+	writeMesh(mesh, doublePrecision, attributes, *out);
+	return out;
 }
 
 Source readSource(const std::string& path, const CommandLine& line, const RunLimit& limit)
@@ -162,10 +161,11 @@ std::string noteOf(const Source& source, const CommandLine& line, const std::str
 	return line.pieces.empty() ? sentence : source.path + ": " + sentence;
 }
 
-/// The common parts of several results of one source.
-struct SharedByLevels {
-	PreparedSurface*       prepared = nullptr;
+/// The common parts of all results of a run.
+struct SharedByResults {
+	PreparedSurface*       prepared = nullptr; ///< of the source of several levels
 	std::vector<GlbLevel>* file     = nullptr; ///< of all levels; null: each has its own file
+	Outputs                outputs;
 };
 
 /// Throws AppError if the format of a result would spoil the faces.
@@ -177,7 +177,7 @@ void requireFormat(const Source& source, const RemeshResult& result, const Comma
 
 /// Writes the result of a source; uses up the attributes of the source.
 void writeSource(Source& source, const RemeshResult& result, const CommandLine& line,
-				 const RunLimit& limit, const SharedByLevels& shared, RunRecord& run)
+				 const RunLimit& limit, SharedByResults& shared, RunRecord& run)
 {
 	const std::string path     = targetOf(source, line);
 	const bool        isDouble = needsDoubleOutput(source.mesh, result);
@@ -195,7 +195,7 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 		shared.file->push_back({result.mesh, attributes, error});
 	}
 	else
-		writeResult(result.mesh, isDouble, attributes, path, line, limit);
+		shared.outputs.push_back(writeResult(result.mesh, isDouble, attributes, path, line, limit));
 	if (!line.pieces.empty())
 		run.files.push_back(
 			{path, std::int64_t(result.mesh.vertexNum()), std::int64_t(result.mesh.faceNum())});
@@ -222,7 +222,7 @@ std::vector<RemeshResult> piecesOf(const JoinedPieces& joined, const RemeshResul
 /// All work between the meshes in memory and the meshes on the disk; sets all times but the time of
 /// writing. begun: begin of the work on this result.
 RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& limit,
-				  const Stopwatch& programClock, double begun, const SharedByLevels& shared = {})
+				  const Stopwatch& programClock, double begun, SharedByResults& shared)
 {
 	RunRecord run;
 	run.times.read = programClock.seconds() - begun;
@@ -258,31 +258,6 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	return run;
 }
 
-/// Makes a folder and its missing parents, and removes them again while they are empty: a run that
-/// fails leaves no folder.
-class OutputFolder {
-public:
-	explicit OutputFolder(const std::string& path)
-	{
-		namespace fs = std::filesystem;
-		std::error_code error;
-		for (fs::path at = path; !at.empty() && !fs::exists(at, error); at = at.parent_path())
-			made_.push_back(at);
-		if (!made_.empty()) fs::create_directories(path, error); // checkOutput() tells a failure
-	}
-	~OutputFolder()
-	{
-		std::error_code error;
-		for (const std::filesystem::path& made : made_)
-			std::filesystem::remove(made, error);
-	}
-	OutputFolder(const OutputFolder&)            = delete;
-	OutputFolder& operator=(const OutputFolder&) = delete;
-
-private:
-	std::vector<std::filesystem::path> made_; ///< innermost first
-};
-
 /// Sets the rest of the time of a result.
 void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
 {
@@ -311,8 +286,8 @@ std::string pathOfLevel(const std::string& pattern, std::size_t level)
 {
 	const std::string place = levelPlace;
 	std::string       path  = pattern;
-	const std::size_t at    = path.find(place);
-	if (at != std::string::npos) path.replace(at, place.size(), std::to_string(level));
+	for (std::size_t at; (at = path.find(place)) != std::string::npos;)
+		path.replace(at, place.size(), std::to_string(level));
 	return path;
 }
 
@@ -333,21 +308,22 @@ void runLevels(const CommandLine& line, const Stopwatch& programClock)
 	std::vector<RunRecord> levels;
 	double                 begun = 0;
 	std::vector<GlbLevel>  ofFile;
-	const SharedByLevels   shared{&prepared, isOneFile(line) ? &ofFile : nullptr};
+	SharedByResults        shared{&prepared, isOneFile(line) ? &ofFile : nullptr, {}};
 	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
 		const CommandLine one           = lineOfLevel(line, i);
 		sources.front().mesh.attributes = attributes;
 		levels.push_back(process(sources, one, limit, programClock, begun, shared));
 		endTimes(begun, programClock, levels.back());
 		begun = programClock.seconds();
-		if (!line.quiet) std::fputs(remeshSummary(levels.back()).c_str(), stdout);
+		if (!line.quiet) print(remeshSummary(levels.back()));
 	}
 	if (shared.file != nullptr) {
-		OutputFile out(line.output, limit);
-		writeGlbLevels(ofFile, out);
-		out.commit();
+		auto out = std::make_unique<OutputFile>(line.output, limit);
+		writeGlbLevels(ofFile, *out);
+		out->finish();
+		shared.outputs.push_back(std::move(out));
 	}
-	if (!line.report.empty()) writeText(line.report, levelsReportJson(levels));
+	endRun(line, levelsReportJson(levels), "", shared.outputs);
 }
 
 void checkOutput(const CommandLine& line)
@@ -364,16 +340,16 @@ void checkOutput(const CommandLine& line)
 
 void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 {
-	const OutputFolder folder(line.pieces.empty() ? "" : line.output);
+	const NewFolder folder(line.pieces.empty() ? "" : line.output);
 	checkOutput(line);
 	catchStopSignals();
-	const RunLimit limit(programClock, line.options.timeLimitSeconds);
-	Sources        sources = readSources(line, limit);
-	RunRecord      run     = process(sources, line, limit, programClock, 0);
+	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
+	Sources         sources = readSources(line, limit);
+	SharedByResults shared;
+	RunRecord       run = process(sources, line, limit, programClock, 0, shared);
 	sources.clear(); // freed before the clock is read
 	endTimes(0, programClock, run);
-	if (!line.report.empty()) writeText(line.report, remeshReportJson(run));
-	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
+	endRun(line, remeshReportJson(run), remeshSummary(run), shared.outputs);
 }
 
 } // namespace gpr::app

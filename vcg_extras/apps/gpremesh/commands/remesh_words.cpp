@@ -12,42 +12,6 @@
 
 namespace gpr::app {
 
-namespace {
-
-constexpr const char* dataGroup = "Files, regions and values of the input";
-
-CommandOption textOption(const char* option, const char* argument, const char* help,
-						 std::string& kept, const char* group)
-{
-	return {option, argument, help, [&kept](const std::string& word) { kept = word; }, group};
-}
-
-std::vector<double> parsePeriod(const std::string& word)
-{
-	std::vector<double> period;
-	std::istringstream  parts(word);
-	for (std::string part; std::getline(parts, part, ',');) {
-		period.push_back(0);
-		if (!parseNumber(part, period.back())) period.clear();
-	}
-	if (period.size() != 3)
-		failUsage("--periodic takes three numbers, separated by commas, not '" + word + "'.");
-	return period;
-}
-
-bool isMesh(const std::string& word)
-{
-	try {
-		formatOfPath(word);
-		return true;
-	}
-	catch (const AppError&) {
-		return false;
-	}
-}
-
-} // namespace
-
 const char* const remeshDescription =
 	"Remeshes IN with nearly equilateral triangles of equal size and writes OUT. The\n"
 	"size is one of --vertices, --faces, --percent, --edge-length, --max-error and\n"
@@ -75,7 +39,7 @@ std::vector<std::string> withCommand(std::vector<std::string> words)
 {
 	const bool isCommand = !words.empty() && std::find(commandNames.begin(), commandNames.end(),
 													   words.front()) != commandNames.end();
-	if (!words.empty() && !isCommand && words.front()[0] != '-' && isMesh(words.front()))
+	if (!words.empty() && !isCommand && words.front()[0] != '-' && isMeshName(words.front()))
 		words.insert(words.begin(), "remesh");
 	return words;
 }
@@ -96,30 +60,6 @@ CommandOption RemeshWords::outDirOption()
 		folder_, dataGroup);
 }
 
-CommandOption RemeshWords::transferOption()
-{
-	const auto take = [this](const std::string& word) {
-		if (word != "mean" && word != "nearest")
-			failUsage("--transfer takes mean or nearest, not '" + word + "'.");
-		line_.transfer = word == "mean" ? Transfer::Mean : Transfer::Nearest;
-	};
-	return {
-		"--transfer", "mean|nearest",
-		"Values of the result's vertices: mean of the corners of the input face at the\n"
-		"vertex, or value of the nearest corner. Default: nearest for labels (whole numbers) and\n"
-		"for palette colours, mean for all other values",
-		take, dataGroup};
-}
-
-CommandOption RemeshWords::periodicOption()
-{
-	return {"--periodic", "X,Y,Z",
-			"IN is a periodic cell with these lengths, 0 along an axis without a period. The\n"
-			"vertices of opposite borders are one period apart. Implies --boundary match.\n"
-			"Refused if the opposite borders of IN are not one period apart",
-			[this](const std::string& word) { line_.period = parsePeriod(word); }, dataGroup};
-}
-
 std::vector<CommandOption> RemeshWords::options()
 {
 	std::vector<CommandOption> all = {
@@ -128,21 +68,8 @@ std::vector<CommandOption> RemeshWords::options()
 	for (CommandOption& row : tableOptions(RemeshTool, given_))
 		all.push_back(std::move(row));
 	all.push_back(outDirOption());
-	all.push_back(textOption(
-		"--regions", "NAME|off",
-		"Property of the faces of IN with the labels of regions. Region borders are kept\n"
-		"as feature lines, and the result gets the labels. Default: region, label,\n"
-		"material, group, CellEntityIds or material_index; groups and materials of OBJ\n"
-		"files, solids of STL files. off: no regions",
-		line_.regions, dataGroup));
-	all.push_back(transferOption());
-	all.push_back(textOption(
-		"--sizes", "NAME",
-		"Property of the vertices of IN with the wanted edge lengths, in mesh units. The\n"
-		"lengths decide the number of vertices; a number of vertices or another size\n"
-		"scales all lengths by one factor",
-		line_.sizes, dataGroup));
-	all.push_back(periodicOption());
+	for (CommandOption& row : valueOptions(line_))
+		all.push_back(std::move(row));
 	all.push_back(memoryOption(line_));
 	all.push_back(textOption(
 		"--scratch", "DIR",

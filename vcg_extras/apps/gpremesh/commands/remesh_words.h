@@ -30,8 +30,6 @@ private:
 
 	CommandOption outDirOption();
 	CommandOption outputOption();
-	CommandOption transferOption();
-	CommandOption periodicOption();
 	void          sortFiles(CommandLine& line) const;
 };
 

@@ -7,12 +7,10 @@
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace gpr::app {
@@ -24,11 +22,10 @@ std::string pagePath(const std::string& folder)
 	return folder + "/index.html";
 }
 
-/// Makes the folder of the page. For a call before long work.
+/// Throws AppError (Failure) if the page cannot be written. For a call before long work.
 void checkFolder(const std::string& folder)
 {
 	std::error_code error;
-	std::filesystem::create_directories(folder, error);
 	if (!std::filesystem::is_directory(folder, error)) {
 		throw AppError(ExitCode::Failure, "cannot make the folder '" + folder + "'.");
 	}
@@ -59,8 +56,8 @@ std::vector<CaptionedPictures> takePictures(const InputMesh& input, const Compar
 	return list;
 }
 
-void writePage(const std::string& folder, const InputMesh& input, CompareRecord& record,
-			   ProgressBar& bar)
+std::unique_ptr<Output> writePage(const std::string& folder, const InputMesh& input,
+								  CompareRecord& record, ProgressBar& bar)
 {
 	const std::string workFolder = folder + "/.gpremesh-" + std::to_string(processId());
 	const double      edgeLen    = record.methods.front().record.quality.meanEdgeLen;
@@ -73,9 +70,10 @@ void writePage(const std::string& folder, const InputMesh& input, CompareRecord&
 	}
 	bar.show(1, "measuring for the views");
 	const std::string viewer = hasViewer() ? viewerHtml(input.view(), record) : "";
-	OutputFile        page(pagePath(folder));
-	page.text(comparePage(record, pictures, viewer));
-	page.commit();
+	auto              page   = std::make_unique<OutputFile>(pagePath(folder));
+	page->text(comparePage(record, pictures, viewer));
+	page->finish();
+	return page;
 }
 
 InputMesh readUnlessStopped(const CommandLine& line)
@@ -88,6 +86,7 @@ InputMesh readUnlessStopped(const CommandLine& line)
 
 void runCompare(const CommandLine& line)
 {
+	const NewFolder folder(line.htmlFolder);
 	if (!line.htmlFolder.empty()) checkFolder(line.htmlFolder);
 	catchStopSignals();
 	const InputMesh input = readUnlessStopped(line);
@@ -95,10 +94,10 @@ void runCompare(const CommandLine& line)
 	CompareRecord   record = compareMethods(input, line, progressOn(bar));
 	if (!line.optionsText.empty())
 		record.notes.push_back("gpremesh was run with " + line.optionsText + ".");
-	if (!line.htmlFolder.empty()) writePage(line.htmlFolder, input, record, bar);
+	Outputs outputs;
+	if (!line.htmlFolder.empty()) outputs.push_back(writePage(line.htmlFolder, input, record, bar));
 	bar.clear();
-	const std::string text = line.json ? compareJson(record) : compareText(record);
-	std::fputs(text.c_str(), stdout);
+	endRun(line, "", line.json ? compareJson(record) : compareText(record), outputs);
 }
 
 } // namespace gpr::app

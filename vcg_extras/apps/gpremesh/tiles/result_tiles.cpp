@@ -6,7 +6,6 @@
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/json_parts.h>
@@ -50,7 +49,7 @@ bool holdsTilesOnly(const fs::path& folder)
 }
 
 /// A folder that appears whole or not at all, like the file of OutputFile.
-class OutputFolder {
+class OutputFolder : public Output {
 public:
 	explicit OutputFolder(const std::string& path) : wanted_(path)
 	{
@@ -62,17 +61,15 @@ public:
 		temporary_.clear();
 		failToWrite(wanted_, error.message());
 	}
-	~OutputFolder()
+	~OutputFolder() override
 	{
 		std::error_code error;
 		if (!temporary_.empty()) fs::remove_all(temporary_, error);
 	}
-	OutputFolder(const OutputFolder&)            = delete;
-	OutputFolder& operator=(const OutputFolder&) = delete;
 
 	std::string file(const std::string& name) const { return (temporary_ / name).string(); }
 
-	void commit()
+	void commit() override
 	{
 		std::error_code error;
 		fs::remove_all(wanted_, error);
@@ -211,10 +208,11 @@ void checkWritableFolder(const std::string& folder)
 	const OutputFolder attempt(folder); // made and removed again
 }
 
-void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-				int tileNum, const std::string& folder, const RunLimit& limit)
+std::unique_ptr<Output> writeTiles(const TriangleMesh& mesh, bool doublePrecision,
+								   MeshAttributes& attributes, int tileNum,
+								   const std::string& folder, const RunLimit& limit)
 {
-	OutputFolder             out(folder);
+	auto                     out    = std::make_unique<OutputFolder>(folder);
 	const FaceGroups         groups = groupsOf(mesh, tileNum);
 	TileCutter               cutter(mesh, attributes);
 	std::vector<std::string> lost; // the same for each tile
@@ -225,13 +223,13 @@ void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& 
 	for (const std::vector<std::size_t>& faces : groups) {
 		const std::string name = tileName(index["tiles"].size());
 		Tile              tile = cutter.cut(faces);
-		writeMesh(tile.mesh, doublePrecision, tile.attributes, out.file(name), limit);
+		writeMesh(tile.mesh, doublePrecision, tile.attributes, out->file(name), limit);
 		lost = tile.attributes.lost;
 		index["tiles"].push_back(tileJson(name, tile.mesh));
 	}
 	attributes.lost.insert(attributes.lost.end(), lost.begin(), lost.end());
-	writeText(out.file(indexName), textOf(index), limit);
-	out.commit();
+	writeText(out->file(indexName), textOf(index), limit);
+	return out;
 }
 
 } // namespace gpr::app

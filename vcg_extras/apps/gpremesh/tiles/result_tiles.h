@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
 
-#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <string>
@@ -20,11 +20,12 @@ void checkWritableFolder(const std::string& folder);
 /// tile. Every face is in one tile, and the tiles have about as many faces each; empty tiles are
 /// left out. A vertex of several tiles has the same bytes in all of these, so that their borders
 /// coincide. Attributes are cut likewise; attributes.lost receives words for attributes without a
-/// place in PLY. The folder appears whole or not at all, and replaces an older folder of tiles.
+/// place in PLY. At commit() the folder appears whole, and replaces an older folder of tiles.
 /// Throws AppError (Failure) if writing fails, (Stopped) if the run has to end. tileNum: at least
 /// 1. Memory: a tile, and 40 B per face. Cost: O(F log tileNum).
-void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-				int tileNum, const std::string& folder, const RunLimit& limit);
+std::unique_ptr<Output> writeTiles(const TriangleMesh& mesh, bool doublePrecision,
+								   MeshAttributes& attributes, int tileNum,
+								   const std::string& folder, const RunLimit& limit);
 
 } // namespace gpr::app
 

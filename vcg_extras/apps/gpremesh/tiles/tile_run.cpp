@@ -164,7 +164,7 @@ void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& lim
 
 void printJson(const Json& json)
 {
-	std::printf("%s\n", json.dump().c_str());
+	print(json.dump() + "\n");
 }
 
 Json stepJson(const TilePlan& plan, const char* step)
