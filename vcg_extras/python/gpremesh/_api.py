@@ -94,9 +94,9 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     feature_edges : array_like (e, 2), optional
         Edges of the faces, as pairs of vertices. Edges of the result follow these edges. Without
         `features` the result follows no other edges; features='auto' adds the edges that are found.
-    uv : array_like (n, 2) or (f, 3, 2), optional
-        Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
-        the seams.
+    uv : array_like (n, 2) or (f, c, 2), optional
+        Texture coordinates of the vertices, or of the corners of the faces; c is the most corners of a
+        face, and the rest of the row of a smaller face is not used. Edges of the result follow the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
     regions : array_like (f,) of int, optional

@@ -20,9 +20,9 @@ class FileMesh:
     ----------
     vertices, faces : array_like
         As for `gpremesh.remesh`.
-    uv : array_like (n, 2) or (f, 3, 2), optional
+    uv : array_like (n, 2) or (f, c, 2), optional
         Texture coordinates of the vertices, or of the corners of the faces, from the lower left corner
-        of the image.
+        of the image; c is the most corners of a face.
     image : array_like (f,) of int, optional
         With `uv`: the number of the material of each face.
     vertex_values, face_values : dict of str to array_like, optional
