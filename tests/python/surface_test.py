@@ -59,6 +59,13 @@ def test_a_failed_run_leaves_the_surface_as_it_was():
     assert_same(surface.remesh(vertex_count=250), gpremesh.remesh(*mesh, vertex_count=250))
 
 
+def test_a_run_inside_of_a_run_is_refused():
+    surface = gpremesh.Surface(*torus())
+    with pytest.raises(RuntimeError, match="progress"):
+        surface.remesh(vertex_count=100, progress=lambda share, stage: surface.remesh(vertex_count=50))
+    assert len(surface.remesh(vertex_count=100).vertices) == 100
+
+
 def test_threads_wait_for_each_other():
     mesh = torus()
     surface = gpremesh.Surface(*mesh)

@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
 import threading
 
 from . import _arrays, _core
@@ -35,6 +36,7 @@ class Surface:
         self._mesh = _arrays.Mesh(vertices, faces)
         self._prepared = _core.PreparedSurface()
         self._one_run = threading.Lock()
+        self._runner = None
 
     @with_parameters("remesh")
     def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
@@ -56,11 +58,25 @@ class Surface:
         ------
         ValueError, gpremesh.Error, KeyboardInterrupt
             As `gpremesh.remesh`.
+        RuntimeError
+            If the progress function of a run starts another run.
         """
-        with self._one_run:
+        with self._alone():
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
                                region=region, feature_edges=feature_edges, uv=uv, image=image,
                                regions=regions)
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """Waits for the run of another thread. A run inside of a run of the same thread would wait forever."""
+        if self._runner == threading.get_ident():
+            raise RuntimeError("The progress function of a run cannot remesh the same Surface; make another Surface.")
+        with self._one_run:
+            self._runner = threading.get_ident()
+            try:
+                yield
+            finally:
+                self._runner = None
 
 
 def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None, progress=None, **parameters):
