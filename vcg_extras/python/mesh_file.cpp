@@ -92,6 +92,13 @@ nb::object coordinatesOf(const app::InputMesh& mesh)
 	return toNumpy<float>(copyOf(mesh.floats), {mesh.vertexNum(), 3});
 }
 
+/// The selected vertices, as bools; None if no vertex is selected.
+nb::object selectionOf(const app::InputMesh& mesh)
+{
+	if (!mesh.view().anySelected()) return nb::none();
+	return toNumpy<bool>(copyOf(mesh.selected), {mesh.vertexNum()});
+}
+
 } // namespace
 
 void FileAttributes::addVertexValues(const std::string& name, const nb::ndarray<nb::ro>& array)
@@ -165,7 +172,7 @@ nb::dict readMeshFile(const std::string& path)
 	out["status"]   = "ok";
 	out["vertices"] = coordinatesOf(mesh);
 	out["faces"]    = toNumpy<std::int32_t>(copyOf(mesh.triangles), {mesh.faceNum(), 3});
-	out["selected"] = mesh.selected.empty() ? nb::none() : toNumpy(std::move(mesh.selected));
+	out["selected"] = selectionOf(mesh);
 	out["notes"]    = nb::list();
 	for (const std::string& note : mesh.notes)
 		nb::cast<nb::list>(out["notes"]).append(note);

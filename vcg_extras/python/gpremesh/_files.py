@@ -27,7 +27,7 @@ class FileMesh:
         With `uv`: the number of the material of each face.
     vertex_values, face_values : dict of str to array_like, optional
         A number for each vertex or face, by the names of PLY files: red, green, blue and alpha (uint8),
-        nx, ny and nz, quality, and any other name.
+        nx, ny and nz, quality, and any other name without spaces.
     materials : FileMesh, optional
         A mesh from which the new mesh gets materials and images.
 
@@ -35,8 +35,8 @@ class FileMesh:
     ----------
     vertices, faces, uv, image, vertex_values, face_values
         As above. All may be changed.
-    region : ndarray (n,) of uint8, or None
-        The vertices that a PLY file marks as selected.
+    region : ndarray (n,) of bool, or None
+        The vertices that a PLY file marks as selected; None if no vertex is selected.
     notes : list of str
         Sentences about oddities of the file.
     result : RemeshResult or None
@@ -81,14 +81,13 @@ class FileMesh:
             As `gpremesh.remesh`.
         """
         parameters = _api.checked("remesh", dict(parameters, vertex_count=vertex_count), progress)
-        marked = None if self.region is None else np.asarray(self.region, bool)
-        if region is None and parameters.get("feature_region") == "selection":
-            region = marked
+        if region is None and self.region is not None and parameters.get("feature_region") == "selection":
+            region = np.asarray(self.region, bool)
         mesh = _arrays.Mesh(self.vertices, self.faces)
         extras = _api.extras(mesh, parameters, region, feature_edges)
         extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
         if region is None:  # selected vertices of the file are the default
-            extras.region = _arrays.mask("region", marked, len(mesh.vertices), "vertices")
+            extras.region = self._marked(mesh)
         outcome = _core.remesh_mesh_of_file(mesh.vertices, mesh.faces, extras, self._attributes(mesh), parameters,
                                             progress)
         check(outcome)
@@ -104,13 +103,20 @@ class FileMesh:
         made.result = result
         return made
 
+    def _marked(self, mesh):
+        """The region as a byte for each vertex, or None."""
+        marked = None if self.region is None else np.asarray(self.region, bool)
+        return _arrays.mask("region", marked, len(mesh.vertices), "vertices")
+
     def _attributes(self, mesh):
         """The attributes of the file mesh, for its triangles in `mesh`."""
         attributes = _core.FileAttributes()
         attributes.take_materials(self._materials)
         for name, values in self.vertex_values.items():
+            _check_name("vertex_values", name)
             attributes.add_vertex_values(name, _column(f"vertex_values[{name!r}]", values, len(mesh.vertices)))
         for name, values in self.face_values.items():
+            _check_name("face_values", name)
             column = _column(f"face_values[{name!r}]", values, mesh.face_num)
             attributes.add_face_values(name, mesh.per_triangle(column))
         if self.image is not None and self.uv is None:
@@ -125,6 +131,18 @@ def _with_attributes(vertices, faces, attributes):
                     vertex_values=attributes.vertex_values(), face_values=attributes.face_values())
     mesh._materials.take_materials(attributes)
     return mesh
+
+
+_TAKEN = {"vertex_values": ("x", "y", "z", "flags", "selected"),
+          "face_values": ("vertex_indices", "texcoord", "texnumber", "flags", "selected")}
+
+
+def _check_name(argument, name):
+    """Refuses names that PLY files cannot hold."""
+    if not isinstance(name, str) or name.split() != [name] or not name.isprintable():
+        raise ValueError(f"{argument} has the name {name!r}; a name must be text without spaces.")
+    if name in _TAKEN[argument]:
+        raise ValueError(f"{argument} has the name {name!r}, which means other data in PLY files.")
 
 
 def _column(name, values, length):
@@ -184,6 +202,13 @@ def read(path):
     return mesh
 
 
+def _values_of(mesh):
+    """What a RemeshResult has beside vertices and faces, for a FileMesh."""
+    if not isinstance(mesh, RemeshResult):
+        return {}
+    return dict(uv=mesh.uv, image=mesh.image, face_values={} if mesh.regions is None else {"region": mesh.regions})
+
+
 def write(path, mesh):
     """Writes a mesh, by the writer of the command line.
 
@@ -194,7 +219,8 @@ def write(path, mesh):
         After a failure an older file is unchanged.
     mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object with both as attributes
         A FileMesh is written with all values that the format can hold, a RemeshResult with its texture
-        coordinates. A warning names the values that the format cannot hold.
+        coordinates, numbers of images, and regions (as values "region" of faces). A warning names the
+        values that the format cannot hold.
 
     Raises
     ------
@@ -205,9 +231,11 @@ def write(path, mesh):
     """
     path = os.fspath(path)
     if not isinstance(mesh, FileMesh):
-        uv = mesh.uv if isinstance(mesh, RemeshResult) else None
-        mesh = FileMesh(*_api.vertices_and_faces("mesh", mesh), uv=uv)
+        mesh = FileMesh(*_api.vertices_and_faces("mesh", mesh), **_values_of(mesh))
     arrays = _arrays.Mesh(mesh.vertices, mesh.faces, ("mesh.vertices", "mesh.faces"))
-    lost = _core.write_mesh(path, arrays.vertices, arrays.faces, mesh._attributes(arrays))
+    attributes = mesh._attributes(arrays)
+    if mesh.region is not None:
+        attributes.add_vertex_values("selected", mesh._marked(arrays))
+    lost = _core.write_mesh(path, arrays.vertices, arrays.faces, attributes)
     if lost:
         warnings.warn(f"Not written to {path!r}: {', '.join(lost)}.", stacklevel=2)
