@@ -33,20 +33,18 @@ def _columns_of_faces(mesh):
     return {**mesh.face_attributes, **({} if materials is None else {"material": materials})}
 
 
-def _carry_colours(mesh, result, remeshed):
+def _carry_visual(mesh, result, remeshed, uv):
     if mesh.visual.kind == "vertex":
         remeshed.visual.vertex_colors = result.transfer(mesh.visual.vertex_colors, "vertex")
     elif mesh.visual.kind == "face":
         remeshed.visual.face_colors = result.transfer(mesh.visual.face_colors, "face")
-
-
-def _carry_texture(mesh, result, remeshed, uv):
-    materials = _materials(mesh)
-    remeshed.visual = trimesh.visual.TextureVisuals(
-        uv=uv,
-        material=copy.deepcopy(mesh.visual.material),
-        face_materials=None if materials is None else result.transfer(materials, "face"),
-    )
+    elif mesh.visual.kind == "texture":  # a material may have no texture coordinates
+        materials = _materials(mesh)
+        remeshed.visual = trimesh.visual.TextureVisuals(
+            uv=uv,
+            material=copy.deepcopy(mesh.visual.material),
+            face_materials=None if materials is None else result.transfer(materials, "face"),
+        )
 
 
 def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
@@ -71,8 +69,8 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     Returns
     -------
     trimesh.Trimesh
-        The result, with the vertex or face colours, the texture, the attributes of vertices and faces, and the
-        metadata of `mesh`.
+        The result, with the vertex or face colours, the material and texture, the attributes of vertices and
+        faces, the density and the metadata of `mesh`.
 
     Raises
     ------
@@ -92,8 +90,7 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
         face_attributes=_attributes(result, "face", mesh.face_attributes))
     if _regions.is_array(regions):
         remeshed.face_attributes["region"] = result.regions
-    if texture is None:
-        _carry_colours(mesh, result, remeshed)
-    else:
-        _carry_texture(mesh, result, remeshed, uv)
+    _carry_visual(mesh, result, remeshed, uv)
+    if getattr(mesh, "_density", None) is not None:  # mesh.density computes the volume
+        remeshed.density = mesh._density
     return remeshed
