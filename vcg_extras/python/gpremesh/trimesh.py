@@ -91,6 +91,6 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     if _regions.is_array(regions):
         remeshed.face_attributes["region"] = result.regions
     _carry_visual(mesh, result, remeshed, uv)
-    if getattr(mesh, "_density", None) is not None:  # mesh.density computes the volume
-        remeshed.density = mesh._density
+    if "density" in mesh._data.data:  # mesh.density computes the volume
+        remeshed.density = mesh.density
     return remeshed
