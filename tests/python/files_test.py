@@ -221,6 +221,27 @@ def test_names_that_files_cannot_hold(tmp_path, name):
     assert list(gpremesh.read(tmp_path / "mesh.ply").vertex_values) == ["höhe"]
 
 
+def test_arguments_of_remesh_beside_the_parameters():
+    vertices, quads = sheet()
+    mesh, surface = gpremesh.FileMesh(vertices, quads), gpremesh.Surface(vertices, quads)
+    labels = (vertices[quads, 0].mean(axis=1) > 15).astype(int)
+    sizes = 1 + vertices[:, 0] / 20
+    flat = vertices * [1, 1, 0]
+    for given in (dict(regions=labels), dict(sizes=sizes), dict(uv=vertices[:, :2], regions=labels)):
+        expected = gpremesh.remesh(vertices, quads, vertex_count=300, **given)
+        assert np.array_equal(surface.remesh(vertex_count=300, **given).vertices, expected.vertices)
+        mesh.uv = given.pop("uv", None)
+        small = mesh.remesh(300, **given)
+        assert np.array_equal(small.vertices, expected.vertices)
+        assert ("region" in small.face_values) == ("regions" in given)
+    given = dict(vertex_count=300, periodic=(30, 30, 0))
+    expected = gpremesh.remesh(flat, quads, **given)
+    assert np.array_equal(gpremesh.FileMesh(flat, quads).remesh(**given).vertices, expected.vertices)
+    assert np.array_equal(gpremesh.Surface(flat, quads).remesh(**given).vertices, expected.vertices)
+    (level,) = gpremesh.levels(flat, quads, vertex_count=[300], periodic=(30, 30, 0))
+    assert np.array_equal(level.vertices, expected.vertices)
+
+
 def test_what_is_wrong_is_told(tmp_path):
     with pytest.raises(FileNotFoundError):
         gpremesh.read(tmp_path / "nothing.glb")

@@ -75,6 +75,11 @@ def test_a_periodic_cell_has_matching_borders():
         assert len(end) > 10
         begin = end - np.eye(3)[axis] * 30
         assert rows(begin) <= points
+    west = vertices[faces, 0].mean(axis=1) < 15
+    a, b = gpremesh.remesh_together([(vertices, faces[west]), (vertices, faces[~west])], edge_length=2, periodic=(30, 30, 0))
+    begin, end = (rows(r.vertices[r.vertices[:, 0] == x] - [x, 0, 0]) for r, x in ((a, 0), (b, 30)))
+    assert len(begin) > 10 and begin == end
+    assert len(rows(a.vertices) & rows(b.vertices)) > 10
     with pytest.raises(gpremesh.Error, match="not periodic"):
         gpremesh.remesh(vertices, faces, edge_length=2, periodic=(30, 25, 0))
     with pytest.raises(ValueError, match="periodic"):

@@ -40,7 +40,8 @@ def test_marks_may_differ_from_run_to_run():
     surface = gpremesh.Surface(vertices, faces)
     half = vertices[faces[:, 0], 0] > 0
     region = vertices[:, 1] > 0
-    for marks in (dict(selected=half), dict(selected=~half), dict(region=region), dict()):
+    sizes = 0.2 + 0.1 * (vertices[:, 0] > 0)
+    for marks in (dict(selected=half), dict(selected=~half), dict(region=region), dict(sizes=sizes), dict()):
         parameters = dict(marks, vertex_count=1000)
         assert_same(surface.remesh(**parameters), gpremesh.remesh(vertices, faces, **parameters))
 

@@ -48,7 +48,7 @@ def extras(mesh, parameters, region, feature_edges):
     return made
 
 
-def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
+def all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
                 image=None, regions=None, sizes=None, periodic=None):
     """The arguments of `remesh` beside the mesh and the parameters, as arrays for the engine."""
     if image is not None and uv is None:
@@ -67,7 +67,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, **beside):
     """Runs `remesh` on a checked mesh, with a prepared surface or None."""
     _check_progress(progress)
     parameters = _given(parameters)
-    given = _all_extras(mesh, parameters, **beside)
+    given = all_extras(mesh, parameters, **beside)
     given.prepared = prepared
     outcome = _core.remesh(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
@@ -152,7 +152,7 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
 
 
 @with_parameters("remesh")
-def remesh_together(pieces, *, progress=None, **parameters):
+def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
     """Remeshes several meshes as a single surface and returns a result for each mesh, without cracks.
 
     If borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
@@ -163,8 +163,8 @@ def remesh_together(pieces, *, progress=None, **parameters):
     pieces : list of (vertices, faces), or of dict
         The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
-    progress
-        As for `remesh`.
+    periodic, progress
+        As for `remesh`, for all meshes together.
     PARAMETERS
 
     Returns
@@ -209,8 +209,9 @@ def remesh_together(pieces, *, progress=None, **parameters):
         raise ValueError("each of the pieces needs vertices and faces.")
     meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
     choices = [dict(parameters) for _ in pieces]  # a choice implied by any mesh holds for all
-    given = [_all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
+    given = [all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
     parameters = {name: value for own in choices for name, value in own.items()}
+    given[0].period = _arrays.period("periodic", periodic)  # the engine takes it from the first mesh
     outcomes = _core.remesh_pieces([mesh.vertices for mesh in meshes], [mesh.faces for mesh in meshes],
                                    given, parameters, progress)
     for outcome in outcomes:

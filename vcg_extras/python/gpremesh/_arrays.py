@@ -77,10 +77,13 @@ def lengths(name, values, length):
     if values is None:
         return None
     array = _array(name, values)
-    if array.shape != (length,) or array.dtype.kind not in "fiu":
+    if array.shape != (length,):
         raise ValueError(f"{name} must have a number for each of the {length} vertices, "
-                         f"not an array of shape {array.shape} and type {array.dtype}.")
-    return _in_order(array, np.float32)
+                         f"not an array of shape {array.shape}.")
+    numbers = _numbers(name, array, "(n,)", np.float32)
+    if not (numbers > 0).all():
+        raise ValueError(f"{name} must be lengths above 0 in float32.")
+    return numbers
 
 
 def period(name, values):
@@ -88,9 +91,10 @@ def period(name, values):
     if values is None:
         return []
     array = _array(name, values)
-    if array.shape != (3,) or array.dtype.kind not in "fiu" or not (array > 0).any():
+    numbers = _numbers(name, array, "(3,)", np.float64)
+    if array.shape != (3,) or (numbers < 0).any() or not (numbers > 0).any():
         raise ValueError(f"{name} must be three lengths, at least one length above 0.")
-    return [float(length) for length in array]
+    return numbers.tolist()
 
 
 def edges(name, values, vertex_num):

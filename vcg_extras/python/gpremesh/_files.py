@@ -59,16 +59,18 @@ class FileMesh:
     def __repr__(self):
         return f"<gpremesh.FileMesh: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
-    def remesh(self, vertex_count=None, *, selected=None, region=None, feature_edges=None,
-               progress=None, **parameters):
+    def remesh(self, vertex_count=None, *, selected=None, region=None, feature_edges=None, regions=None,
+               sizes=None, periodic=None, progress=None, **parameters):
         """Remeshes the mesh and transfers all values, by the rules of the command line.
 
         Parameters
         ----------
         vertex_count : int, optional
             Number of vertices of the result.
-        selected, region, feature_edges, progress, **parameters
-            As for `gpremesh.remesh`. The default of `region` is the region of the file.
+        selected, region, feature_edges, regions, sizes, periodic, progress, **parameters
+            As for `gpremesh.remesh`. The default of `region` is the region of the file. The default of
+            `regions` are the face values whose names tell regions, as region and label; given labels are
+            the face values "region" of the new mesh.
 
         Returns
         -------
@@ -84,14 +86,17 @@ class FileMesh:
         if region is None and self.region is not None and parameters.get("feature_region") == "selection":
             region = np.asarray(self.region, bool)
         mesh = _arrays.Mesh(self.vertices, self.faces)
-        extras = _api.extras(mesh, parameters, region, feature_edges)
-        extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+        extras = _api.all_extras(mesh, parameters, selected=selected, region=region, feature_edges=feature_edges,
+                                 regions=regions, sizes=sizes, periodic=periodic)
         if region is None:  # selected vertices of the file are the default
             extras.region = self._marked(mesh)
         outcome = _core.remesh_mesh_of_file(mesh.vertices, mesh.faces, extras, self._attributes(mesh), parameters,
                                             progress)
         check(outcome)
-        return self._of_result(mesh, outcome)
+        made = self._of_result(mesh, outcome)
+        if regions is not None:
+            made.face_values["region"] = made.result.regions
+        return made
 
     def _of_result(self, mesh, outcome):
         # Like the command line: doubles replace floats that would not resolve the result.

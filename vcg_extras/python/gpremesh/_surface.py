@@ -40,12 +40,12 @@ class Surface:
 
     @with_parameters("remesh")
     def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
-               regions=None, progress=None, **parameters):
+               regions=None, sizes=None, periodic=None, progress=None, **parameters):
         """Remeshes the surface: the same bytes as from `gpremesh.remesh`, in less time.
 
         Parameters
         ----------
-        selected, region, feature_edges, uv, image, regions, progress
+        selected, region, feature_edges, uv, image, regions, sizes, periodic, progress
             As for `gpremesh.remesh`. Each run may have other values.
         PARAMETERS
 
@@ -64,7 +64,7 @@ class Surface:
         with self._alone():
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
                                region=region, feature_edges=feature_edges, uv=uv, image=image,
-                               regions=regions)
+                               regions=regions, sizes=sizes, periodic=periodic)
 
     @contextlib.contextmanager
     def _alone(self):
