@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files with all that they hold: the bytes of the command line, and arrays there and back."""
 
+import copy
 import json
+import pickle
 import struct
 import warnings
 
@@ -242,6 +244,19 @@ def test_arguments_of_remesh_beside_the_parameters():
     assert np.array_equal(level.vertices, expected.vertices)
 
 
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda mesh: pickle.loads(pickle.dumps(mesh))], ids=["copy", "pickle"])
+def test_copies_have_materials_and_names(tmp_path, copied):
+    textured_glb(tmp_path / "in.glb")
+    write_groups(tmp_path / "in.obj")
+    for ending in ("glb", "obj"):
+        mesh = gpremesh.read(tmp_path / f"in.{ending}")
+        for made in (mesh, mesh.remesh(150)):
+            gpremesh.write(tmp_path / f"made.{ending}", made)
+            gpremesh.write(tmp_path / f"copy.{ending}", copied(made))
+            assert (tmp_path / f"made.{ending}").read_bytes() == (tmp_path / f"copy.{ending}").read_bytes()
+    assert copied(made).result.report == made.result.report
+
+
 def test_what_is_wrong_is_told(tmp_path):
     with pytest.raises(FileNotFoundError):
         gpremesh.read(tmp_path / "nothing.glb")
@@ -279,13 +294,17 @@ def test_arrays_that_do_not_fit_are_named(tmp_path, name, value):
     assert not (tmp_path / "mesh.ply").exists()
 
 
-def test_names_of_groups_go_from_file_to_file(tmp_path):
+def write_groups(path):
     vertices, faces = torus()
     text = "".join(f"v {x} {y} {z}\n" for x, y, z in vertices)
     side = vertices[faces, 0].mean(axis=1) > 0
     for name, which in (("in let", side), ("wall", ~side)):
         text += f"g {name}\n" + "".join(f"f {a} {b} {c}\n" for a, b, c in faces[which] + 1)
-    (tmp_path / "in.obj").write_text(text)
+    path.write_text(text)
+
+
+def test_names_of_groups_go_from_file_to_file(tmp_path):
+    write_groups(tmp_path / "in.obj")
     made = gpremesh.read(tmp_path / "in.obj").remesh(300)
     gpremesh.write(tmp_path / "out.obj", made)
     written = (tmp_path / "out.obj").read_text()

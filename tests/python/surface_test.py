@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A surface that is prepared once: the bytes of single runs, whatever ran before."""
 
+import copy
+import pickle
 import threading
 
 import numpy as np
@@ -58,6 +60,13 @@ def test_a_failed_run_leaves_the_surface_as_it_was():
     with pytest.raises(TypeError):
         surface.remesh(vertex_number=5)
     assert_same(surface.remesh(vertex_count=250), gpremesh.remesh(*mesh, vertex_count=250))
+
+
+def test_copies_are_prepared_anew():
+    surface = gpremesh.Surface(*torus())
+    expected = surface.remesh(vertex_count=200)
+    for copied in (copy.deepcopy(surface), pickle.loads(pickle.dumps(surface))):
+        assert_same(copied.remesh(vertex_count=200), expected)
 
 
 def test_a_run_inside_of_a_run_is_refused():

@@ -136,6 +136,66 @@ void FileAttributes::takeMaterials(const FileAttributes& other)
 	}
 }
 
+namespace {
+
+using Texts = std::vector<std::string>;
+
+nb::list bytesOf(const Texts& texts)
+{
+	nb::list all;
+	for (const std::string& text : texts)
+		all.append(nb::bytes(text.data(), text.size()));
+	return all;
+}
+
+Texts textsOf(nb::handle all)
+{
+	Texts texts;
+	for (const nb::handle text : nb::cast<nb::list>(all)) {
+		const auto bytes = nb::cast<nb::bytes>(text);
+		texts.emplace_back(bytes.c_str(), bytes.size());
+	}
+	return texts;
+}
+
+} // namespace
+
+nb::list FileAttributes::materialState() const
+{
+	nb::list state;
+	for (const Texts& texts : {values.images, values.materials,
+							   Texts{values.materialLibrary, values.folder, values.unit},
+							   values.gltf == nullptr ? Texts() : Texts{values.gltf->json},
+							   values.gltf == nullptr ? Texts() : values.gltf->imageBytes})
+		state.append(bytesOf(texts));
+	for (const auto& [column, ofColumn] : names) {
+		Texts texts = ofColumn;
+		texts.push_back(column);
+		state.append(bytesOf(texts));
+	}
+	return state;
+}
+
+void FileAttributes::setMaterialState(const nb::list& state)
+{
+	values.images          = textsOf(state[0]);
+	values.materials       = textsOf(state[1]);
+	const Texts plain      = textsOf(state[2]);
+	values.materialLibrary = plain.at(0);
+	values.folder          = plain.at(1);
+	values.unit            = plain.at(2);
+	const Texts json       = textsOf(state[3]);
+	if (!json.empty())
+		values.gltf =
+			std::make_shared<app::GltfMaterials>(app::GltfMaterials{json[0], textsOf(state[4])});
+	for (std::size_t i = 5; i < state.size(); ++i) {
+		Texts             texts  = textsOf(state[i]);
+		const std::string column = texts.back();
+		texts.pop_back();
+		names[column] = texts;
+	}
+}
+
 nb::dict FileAttributes::vertexValues() const
 {
 	return arraysOf(values.ofVertices);

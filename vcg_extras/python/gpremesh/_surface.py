@@ -19,7 +19,7 @@ class Surface:
     Notes
     -----
     A Surface saves time with many sizes, presets or seeds. It keeps about 80 bytes for each triangle.
-    A run waits for the run of another thread.
+    A run waits for the run of another thread. A copy, also by pickle, is prepared anew.
 
     Examples
     --------
@@ -33,7 +33,13 @@ class Surface:
     """
 
     def __init__(self, vertices, faces):
-        self._mesh = _arrays.Mesh(vertices, faces)
+        self.__setstate__(_arrays.Mesh(vertices, faces))
+
+    def __getstate__(self):
+        return self._mesh
+
+    def __setstate__(self, mesh):
+        self._mesh = mesh
         self._prepared = _core.PreparedSurface()
         self._one_run = threading.Lock()
         self._runner = None
