@@ -184,6 +184,15 @@ TEST(CarryOver, MeansAreRoundedAndNaNsWithoutWeightLeftOut)
 	EXPECT_EQ(meanAs<float>(0.25), 0.25f);
 }
 
+TEST(CarryOver, ConstantsStayThoughFloatWeightsHaveAnotherSum)
+{
+	for (const float weight : {0.1f, 0.3f, 1 / 3.0f}) {
+		const BarycentricPoint point{0, {weight, weight, 1 - 2 * weight}};
+		for (const double constant : {5.4e6, 0.1, -1e300, std::numeric_limits<double>::infinity()})
+			EXPECT_EQ(meanOfCorners(point, [&](int) { return constant; }), constant);
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -78,9 +78,12 @@ class Accessor:
             remeshed.cell_data["region"] = result.regions
         remeshed.field_data.update(mesh.field_data)
         if uv is not None:
-            remeshed.active_texture_coordinates = uv
+            name = mesh.point_data.active_texture_coordinates_name
+            remeshed.point_data[name] = uv
+            remeshed.point_data.active_texture_coordinates_name = name
         if mesh.active_scalars_name in remeshed.array_names:
-            remeshed.set_active_scalars(mesh.active_scalars_name)
+            of = mesh.active_scalars_info.association.name.lower()
+            remeshed.set_active_scalars(mesh.active_scalars_name, preference=of)
         return remeshed
 
     def _carry_point_data(self, result, vertex_index, remeshed):
