@@ -10,24 +10,14 @@ from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
 from ._table import with_parameters
 
 
-def _check_progress(progress):
+def check_progress(progress):
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be a function or None, not {type(progress).__name__}")
 
 
-def _given(parameters):
+def without_none(parameters):
     """The parameters without None, which means not given."""
     return {name: value for name, value in parameters.items() if value is not None}
-
-
-def checked(tool, parameters, progress):
-    """The given parameters of a tool. Unknown parameters raise a TypeError."""
-    _check_progress(progress)
-    names = {entry["name"] for entry in _core.parameters(tool)}
-    for name in parameters:
-        if name not in names:
-            raise TypeError(f"{tool}() has no parameter {name!r}")
-    return _given(parameters)
 
 
 def _imply(parameters, name, choice, argument, values):
@@ -65,8 +55,8 @@ def all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=No
 
 def remesh_mesh(mesh, prepared, progress, parameters, **beside):
     """Runs `remesh` on a checked mesh, with a prepared surface or None."""
-    _check_progress(progress)
-    parameters = _given(parameters)
+    check_progress(progress)
+    parameters = without_none(parameters)
     given = all_extras(mesh, parameters, **beside)
     given.prepared = prepared
     outcome = _core.remesh(mesh.vertices, mesh.faces, given, parameters, progress)
@@ -191,8 +181,8 @@ def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
     >>> len(a.vertices) + len(b.vertices) - len(seam)
     400
     """
-    _check_progress(progress)
-    parameters = _given(parameters)
+    check_progress(progress)
+    parameters = without_none(parameters)
     pieces = [dict(zip(("vertices", "faces"), p, strict=True)) if not isinstance(p, dict) else dict(p)
               for p in pieces]
     if not pieces:
@@ -253,8 +243,8 @@ def sample(vertices, faces, *, region=None, feature_edges=None, progress=None,
     >>> 900 < len(samples.points) < 1100
     True
     """
-    _check_progress(progress)
-    parameters = _given(parameters)
+    check_progress(progress)
+    parameters = without_none(parameters)
     mesh = _arrays.Mesh(vertices, faces)
     given = extras(mesh, parameters, region, feature_edges)
     outcome = _core.sample(mesh.vertices, mesh.faces, given, parameters, progress)
@@ -290,9 +280,9 @@ def features(vertices, faces, *, progress=None, **parameters):
     ValueError, gpremesh.Error, KeyboardInterrupt
         As `remesh`.
     """
-    _check_progress(progress)
+    check_progress(progress)
     mesh = _arrays.Mesh(vertices, faces)
-    outcome = _core.features(mesh.vertices, mesh.faces, _given(parameters), progress)
+    outcome = _core.features(mesh.vertices, mesh.faces, without_none(parameters), progress)
     check(outcome)
     faces_marked = np.zeros(mesh.face_num, bool)
     triangles = np.flatnonzero(outcome["face"])
@@ -351,7 +341,7 @@ def distance(a, b, *, samples=0, threads=0, progress=None):
     ValueError, gpremesh.Error, KeyboardInterrupt
         As `remesh`. During the construction of a search tree, cancelling waits for the end of the tree.
     """
-    _check_progress(progress)
+    check_progress(progress)
     samples = _whole_number("samples", samples, 0, 100_000_000)
     threads = _whole_number("threads", threads, 0, 1024)
     first, second = _mesh_of("a", a), _mesh_of("b", b)

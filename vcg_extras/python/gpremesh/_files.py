@@ -11,6 +11,7 @@ import numpy as np
 from . import _api, _arrays, _core
 from ._errors import check
 from ._results import RemeshResult
+from ._table import with_parameters
 
 
 class FileMesh:
@@ -43,6 +44,16 @@ class FileMesh:
         For a result of `remesh`: the place of each vertex on the input, and the report.
     """
 
+    vertices: np.ndarray
+    faces: np.ndarray
+    uv: "np.ndarray | None"
+    image: "np.ndarray | None"
+    vertex_values: "dict[str, np.ndarray]"
+    face_values: "dict[str, np.ndarray]"
+    region: "np.ndarray | None"
+    notes: "list[str]"
+    result: "RemeshResult | None"
+
     def __init__(self, vertices, faces, *, uv=None, image=None, vertex_values=None, face_values=None,
                  materials=None):
         self.vertices = vertices
@@ -59,6 +70,7 @@ class FileMesh:
     def __repr__(self):
         return f"<gpremesh.FileMesh: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
+    @with_parameters("remesh")
     def remesh(self, vertex_count=None, *, selected=None, region=None, feature_edges=None, regions=None,
                sizes=None, periodic=None, progress=None, **parameters):
         """Remeshes the mesh and transfers all values, by the rules of the command line.
@@ -67,10 +79,11 @@ class FileMesh:
         ----------
         vertex_count : int, optional
             Number of vertices of the result.
-        selected, region, feature_edges, regions, sizes, periodic, progress, **parameters
+        selected, region, feature_edges, regions, sizes, periodic, progress
             As for `gpremesh.remesh`. The default of `region` is the region of the file. The default of
             `regions` are the face values whose names tell regions, as region and label; given labels are
             the face values "region" of the new mesh.
+        PARAMETERS
 
         Returns
         -------
@@ -82,7 +95,8 @@ class FileMesh:
         ValueError, gpremesh.Error, KeyboardInterrupt
             As `gpremesh.remesh`.
         """
-        parameters = _api.checked("remesh", dict(parameters, vertex_count=vertex_count), progress)
+        _api.check_progress(progress)
+        parameters = _api.without_none(dict(parameters, vertex_count=vertex_count))
         if region is None and self.region is not None and parameters.get("feature_region") == "selection":
             region = np.asarray(self.region, bool)
         mesh = _arrays.Mesh(self.vertices, self.faces)
