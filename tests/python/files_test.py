@@ -147,6 +147,12 @@ def test_region_of_the_mesh():
     assert (near.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20
 
 
+def test_a_path_of_bytes(tmp_path):
+    path = bytes(tmp_path / "mesh.ply")
+    gpremesh.write(path, torus())
+    assert len(gpremesh.read(path).vertices) == 1800
+
+
 def test_the_selection_goes_from_file_to_file(tmp_path):
     vertices, faces = torus()
     mesh = gpremesh.FileMesh(vertices, faces)

@@ -50,6 +50,12 @@ def test_given_edges_become_edges_of_the_result():
     assert ((corners.min(axis=1) < 15.5) & (corners.max(axis=1) > 16.5)).any()
 
 
+def test_an_empty_list_of_edges():
+    vertices, faces = cube()
+    result = gpremesh.remesh(vertices, faces, vertex_count=300, feature_edges=[])
+    assert result.report["counts"]["featureEdges"] == 0
+
+
 def test_edges_found_beside_edges_given():
     vertices, faces = cube()
     middle = np.flatnonzero((vertices[:, 2] == 0) & (vertices[:, 0] == 0.5))

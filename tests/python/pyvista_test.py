@@ -127,7 +127,9 @@ def test_errors_come_out():
     with pytest.raises(gpremesh.Error):
         polydata().gpremesh.remesh(3)
     with pytest.raises(TypeError):
-        polydata().gpremesh.remesh(300, uv=None, sed=5)
+        polydata().gpremesh.remesh(300, sed=5)
+    with pytest.raises(TypeError, match="takes no uv"):
+        polydata().gpremesh.remesh(300, uv=None)
 
 
 def test_pyvista_finds_it_by_itself(tmp_path):

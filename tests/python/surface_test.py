@@ -104,9 +104,9 @@ def test_levels_are_those_of_single_runs():
     assert told == sorted(told) and told[-1] <= 1
 
 
-@pytest.mark.parametrize("sizes", [{}, {"percent": []}, {"percent": [5], "face_count": [200]}])
+@pytest.mark.parametrize("sizes", [{}, {"percent": []}, {"percent": [5], "face_count": [200]}, {"percent": 10}])
 def test_levels_need_sizes_of_one_kind(sizes):
-    with pytest.raises(ValueError, match="levels needs one of"):
+    with pytest.raises(ValueError, match="levels needs one of|percent must be a list"):
         gpremesh.levels(*torus(), **sizes)
 
 

@@ -154,6 +154,13 @@ def test_glb_files_of_the_command_line(tmp_path):
     assert np.abs(difference).max() < 6
 
 
+def test_what_is_no_mesh_is_told():
+    with pytest.raises(TypeError, match="mesh must be a Trimesh of trimesh, not a Scene"):
+        gpremesh.trimesh.remesh(trimesh.Scene(mesh_of()), 500)
+    with pytest.raises(TypeError, match="takes no uv"):
+        gpremesh.trimesh.remesh(mesh_of(), 500, uv=torus()[0][:, :2])
+
+
 def test_distance_takes_meshes():
     mesh = mesh_of()
     assert gpremesh.distance(mesh, gpremesh.trimesh.remesh(mesh, 500)).largest < 0.2

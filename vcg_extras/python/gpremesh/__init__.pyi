@@ -578,7 +578,7 @@ def remesh(
         Texture coordinates of the vertices, or of the corners of the faces; c is the most corners of a
         face, and the rest of the row of a smaller face is not used. Edges of the result follow the seams.
     image : array_like (f,) of int, optional
-        With `uv`: the number of the image of each face.
+        With `uv`: the number of the image of each face, -1 without an image.
     regions : array_like (f,) of int, optional
         Labels of the faces, such as materials or patches. Edges of the result follow the borders between
         labels, and `regions` of the result has a label for each new face.
@@ -812,7 +812,7 @@ def remesh_together(
 
     Parameters
     ----------
-    pieces : list of (vertices, faces), or of dict
+    pieces : list of (vertices, faces), of objects with both as attributes, or of dict
         The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
     periodic, progress

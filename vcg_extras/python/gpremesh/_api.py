@@ -20,6 +20,22 @@ def without_none(parameters):
     return {name: value for name, value in parameters.items() if value is not None}
 
 
+def check_mesh_of_host(mesh, kinds, parameters):
+    """Refuses a mesh of another type, and arguments that come from the mesh."""
+    if not isinstance(mesh, kinds):
+        package = kinds[0].__module__.split(".")[0]
+        raise TypeError(f"mesh must be a {kinds[0].__name__} of {package}, not a {type(mesh).__name__}.")
+    for name in {"uv", "image"} & parameters.keys():
+        raise TypeError(f"remesh() takes no {name} here, since texture coordinates come from the mesh.")
+
+
+def as_list(name, values):
+    try:
+        return list(values)
+    except TypeError:
+        raise ValueError(f"{name} must be a list, not {type(values).__name__}.") from None
+
+
 def _imply(parameters, name, choice, argument, values):
     """A given array implies the choice that reads the array; the choice needs the array."""
     if values is not None:
@@ -88,7 +104,7 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
         Texture coordinates of the vertices, or of the corners of the faces; c is the most corners of a
         face, and the rest of the row of a smaller face is not used. Edges of the result follow the seams.
     image : array_like (f,) of int, optional
-        With `uv`: the number of the image of each face.
+        With `uv`: the number of the image of each face, -1 without an image.
     regions : array_like (f,) of int, optional
         Labels of the faces, such as materials or patches. Edges of the result follow the borders between
         labels, and `regions` of the result has a label for each new face.
@@ -141,6 +157,10 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
                        regions=regions, sizes=sizes, periodic=periodic)
 
 
+def _piece(name, piece):
+    return dict(piece) if isinstance(piece, dict) else dict(zip(("vertices", "faces"), vertices_and_faces(name, piece)))
+
+
 @with_parameters("remesh")
 def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
     """Remeshes several meshes as a single surface and returns a result for each mesh, without cracks.
@@ -150,7 +170,7 @@ def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
 
     Parameters
     ----------
-    pieces : list of (vertices, faces), or of dict
+    pieces : list of (vertices, faces), of objects with both as attributes, or of dict
         The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
     periodic, progress
@@ -183,8 +203,7 @@ def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
     """
     check_progress(progress)
     parameters = without_none(parameters)
-    pieces = [dict(zip(("vertices", "faces"), p, strict=True)) if not isinstance(p, dict) else dict(p)
-              for p in pieces]
+    pieces = [_piece(f"pieces[{k}]", piece) for k, piece in enumerate(as_list("pieces", pieces))]
     if not pieces:
         raise ValueError("pieces must have at least one mesh.")
     unknown = {name for piece in pieces for name in piece} - {
@@ -197,7 +216,8 @@ def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
         raise ValueError("sizes must be given for all meshes, or for none.")
     if any(piece.get(name) is None for piece in pieces for name in ("vertices", "faces")):
         raise ValueError("each of the pieces needs vertices and faces.")
-    meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
+    meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces"), (f"pieces[{k}].vertices", f"pieces[{k}].faces"))
+              for k, piece in enumerate(pieces)]
     choices = [dict(parameters) for _ in pieces]  # a choice implied by any mesh holds for all
     given = [all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
     parameters = {name: value for own in choices for name, value in own.items()}

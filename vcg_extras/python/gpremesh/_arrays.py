@@ -102,6 +102,8 @@ def edges(name, values, vertex_num):
     if values is None:
         return None
     array = _array(name, values)
+    if array.shape == (0,):  # an empty list
+        array = array.reshape(0, 2)
     if array.ndim != 2 or array.shape[1] != 2:
         raise ValueError(f"{name} must have the shape (n, 2), not {array.shape}.")
     return indices(name, array, vertex_num)
@@ -210,8 +212,8 @@ class Mesh:
         return array[is_used][self.corners]
 
     def images(self, name, values):
-        """The number of the image for each triangle; None stays None."""
-        return self.labels(name, values, 0)
+        """The number of the image for each triangle, -1 without an image; None stays None."""
+        return self.labels(name, values, -1)
 
     def labels(self, name, values, least=-_MOST):
         """A whole number for each triangle; None stays None."""

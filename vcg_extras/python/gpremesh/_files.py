@@ -210,7 +210,7 @@ def read(path):
     >>> mesh = gpremesh.read("statue.glb")                # doctest: +SKIP
     >>> gpremesh.write("small.glb", mesh.remesh(5000))    # doctest: +SKIP
     """
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     with open(path, "rb"):  # Python raises errors about the path
         pass
     outcome = _core.read_mesh(path)
@@ -248,7 +248,7 @@ def write(path, mesh):
     OSError
         If the file cannot be written.
     """
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     if not isinstance(mesh, FileMesh):
         mesh = FileMesh(*_api.vertices_and_faces("mesh", mesh), **_values_of(mesh))
     arrays = _arrays.Mesh(mesh.vertices, mesh.faces, ("mesh.vertices", "mesh.faces"))

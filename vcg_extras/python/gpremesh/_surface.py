@@ -4,7 +4,7 @@ import contextlib
 import threading
 
 from . import _arrays, _core
-from ._api import remesh_mesh
+from ._api import as_list, remesh_mesh
 from ._table import with_parameters
 
 
@@ -122,7 +122,7 @@ def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None,
     [500, 250, 125]
     """
     given = {"percent": percent, "vertex_count": vertex_count, "face_count": face_count}
-    given = {name: list(sizes) for name, sizes in given.items() if sizes is not None}
+    given = {name: as_list(name, sizes) for name, sizes in given.items() if sizes is not None}
     if len(given) != 1 or not all(given.values()):
         raise ValueError("levels needs one of percent, vertex_count and face_count, with a size for each level.")
     (name, sizes), = given.items()

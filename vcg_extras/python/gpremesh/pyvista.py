@@ -62,6 +62,7 @@ class Accessor:
             As `gpremesh.remesh`.
         """
         mesh = self._mesh
+        _api.check_mesh_of_host(mesh, (pyvista.PolyData,), parameters)
         texture = mesh.active_texture_coordinates
         result = _api.remesh(np.asarray(mesh.points), _faces(mesh), vertex_count=vertex_count,
                              uv=None if texture is None else np.asarray(texture)[:, :2],

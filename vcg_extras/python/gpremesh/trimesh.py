@@ -53,7 +53,7 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     Parameters
     ----------
     mesh : trimesh.Trimesh
-        The mesh is not changed.
+        The mesh is not changed. `scene.to_mesh()` makes a mesh of a scene.
     vertex_count : int, optional
         How many vertices the result has. Along the seams of a texture there are copies beyond that, as
         trimesh has one texture coordinate for each vertex.
@@ -74,9 +74,10 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
 
     Raises
     ------
-    ValueError, gpremesh.Error, KeyboardInterrupt
+    ValueError, TypeError, gpremesh.Error, KeyboardInterrupt
         As `gpremesh.remesh`.
     """
+    _api.check_mesh_of_host(mesh, (trimesh.Trimesh,), parameters)
     texture = _texture(mesh)
     result = _api.remesh(mesh.vertices, mesh.faces, vertex_count=vertex_count, uv=texture,
                          regions=_regions.find(_columns_of_faces(mesh), regions), **parameters)
