@@ -217,9 +217,9 @@ class FileMesh:
             the diagonal.
         max_edge : float, default 0.0
             The largest local size, in mesh units. Without a size of the result, this is the size of all
-            places that nothing else makes smaller, and decides the number of vertices. Single edges may
-            be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
-            the diagonal.
+            places that nothing else makes smaller, and decides the number of vertices. A local size is
+            a mean: about a tenth of the edges are more than a fifth longer, single edges twice as long
+            or more. A text with a percent sign ("0.2%") is a share of the diagonal.
         growth : float, default 1.15
             The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
             angles.
@@ -452,9 +452,9 @@ class Surface:
             the diagonal.
         max_edge : float, default 0.0
             The largest local size, in mesh units. Without a size of the result, this is the size of all
-            places that nothing else makes smaller, and decides the number of vertices. Single edges may
-            be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
-            the diagonal.
+            places that nothing else makes smaller, and decides the number of vertices. A local size is
+            a mean: about a tenth of the edges are more than a fifth longer, single edges twice as long
+            or more. A text with a percent sign ("0.2%") is a share of the diagonal.
         growth : float, default 1.15
             The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
             angles.
@@ -688,9 +688,9 @@ def remesh(
         the diagonal.
     max_edge : float, default 0.0
         The largest local size, in mesh units. Without a size of the result, this is the size of all
-        places that nothing else makes smaller, and decides the number of vertices. Single edges may
-        be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
-        the diagonal.
+        places that nothing else makes smaller, and decides the number of vertices. A local size is
+        a mean: about a tenth of the edges are more than a fifth longer, single edges twice as long
+        or more. A text with a percent sign ("0.2%") is a share of the diagonal.
     growth : float, default 1.15
         The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
         angles.
@@ -913,9 +913,9 @@ def remesh_together(
         the diagonal.
     max_edge : float, default 0.0
         The largest local size, in mesh units. Without a size of the result, this is the size of all
-        places that nothing else makes smaller, and decides the number of vertices. Single edges may
-        be a fifth longer than their local size. A text with a percent sign ("0.2%") is a share of
-        the diagonal.
+        places that nothing else makes smaller, and decides the number of vertices. A local size is
+        a mean: about a tenth of the edges are more than a fifth longer, single edges twice as long
+        or more. A text with a percent sign ("0.2%") is a share of the diagonal.
     growth : float, default 1.15
         The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
         angles.
