@@ -308,7 +308,7 @@ class Extension(unittest.TestCase):
         mesh.edges[0].use_seam = True
         mesh.normals_split_custom_set_from_vertices([(0, 0, 1)] * len(mesh.vertices))
         notes = " ".join(self.notes_of(thing))
-        for what in ("Sharp edges", "Seams", "Custom normals"):
+        for what in ("Edges marked sharp", "Seams", "Custom normals"):
             self.assertIn(what, notes)
 
     def notes_of(self, thing):

@@ -381,7 +381,8 @@ void tellLostInGltf(const MeshAttributes& attributes, std::vector<std::string>& 
 	const bool hasImage    = !attributes.texture.image.empty();
 	const bool regionsToo  = materialsAreRegions(attributes) && !hasMaterial && !hasImage;
 	if (hasMaterial && hasImage)
-		lost.push_back(materialsAreRegions(attributes) ? "numbers of images" : "'material' of faces");
+		lost.push_back(materialsAreRegions(attributes) ? "numbers of images"
+													   : "'material' of faces");
 	for (const ValueColumn& column : attributes.ofFaces) {
 		const bool isRegion = regionsToo && tellsRegions(column.name) && areLabels(column);
 		if (column.name != "material" && !isRegion)

@@ -114,11 +114,11 @@ class TakenMesh:
 
     def _note_marks(self, mesh):
         """Notes what Blender keeps beside the attributes that have a note of their own."""
-        for what, is_there in (("Sharp edges", len(self.sharp_edges) > 0),
+        for what, is_there in (("Edges marked sharp", len(self.sharp_edges) > 0),
                                ("Seams", numbers(mesh.edges, "use_seam", 1, bool).any()),
                                ("Custom normals", mesh.has_custom_normals)):
             if is_there:
-                self.notes.append(f"{what} were not carried over.")
+                self.notes.append(f"{what} were lost.")
 
     def _column_named(self, name, of, field):
         for column in self.columns:
