@@ -318,6 +318,21 @@ TEST(Symmetry, AutoTakesNoPlaneThatHoldsTheWholeSurface)
 	EXPECT_EQ(remeshed(sheet, symmetric(Symmetry::Auto, 100)).mesh.vertexNum(), 100u);
 }
 
+TEST(Symmetry, ProgressNeverRunsBackwards)
+{
+	const TriangleMesh  mesh    = torus(300, 120);
+	RemeshOptions       options = symmetric(Symmetry::Z, 4000);
+	std::vector<double> shares;
+	options.check   = true;
+	const auto note = [&](double share, const char*) {
+		shares.push_back(share);
+		return true;
+	};
+	EXPECT_EQ(remesh(mesh.view(), options, note).status, Status::Ok);
+	EXPECT_GT(shares.size(), 5u);
+	EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+}
+
 TEST(Symmetry, PreparedSurfacesGiveTheSameBytes)
 {
 	const TriangleMesh  mesh    = torus(60, 30);

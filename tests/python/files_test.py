@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files with all that they hold: the bytes of the command line, and arrays there and back."""
 
+import copy
 import json
+import pickle
 import struct
 import warnings
 
@@ -121,9 +123,9 @@ def test_arrays_there_and_back(tmp_path, real):
 def test_values_are_carried_over(tmp_path):
     vertices, faces = cube()
     side = np.abs(vertices[faces].mean(axis=1) - 0.5).argmax(axis=1)
-    mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"x": vertices[:, 0]}, face_values={"side": side})
+    mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"east": vertices[:, 0]}, face_values={"side": side})
     small = mesh.remesh(200)
-    assert np.abs(small.vertex_values["x"] - small.vertices[:, 0]).max() < 0.05
+    assert np.abs(small.vertex_values["east"] - small.vertices[:, 0]).max() < 0.05
     assert (small.face_values["side"] == np.abs(small.vertices[small.faces].mean(axis=1) - 0.5).argmax(axis=1)).mean() > 0.99
 
 
@@ -143,6 +145,122 @@ def test_region_of_the_mesh():
     mesh.region = vertices[:, 0] > 0
     near = mesh.remesh(300, feature_region="selection", feature_disk_scale=0.5)
     assert (near.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20
+
+
+def test_a_path_of_bytes(tmp_path):
+    path = bytes(tmp_path / "mesh.ply")
+    gpremesh.write(path, torus())
+    assert len(gpremesh.read(path).vertices) == 1800
+
+
+def test_the_selection_goes_from_file_to_file(tmp_path):
+    vertices, faces = torus()
+    mesh = gpremesh.FileMesh(vertices, faces)
+    gpremesh.write(tmp_path / "none.ply", mesh)
+    assert gpremesh.read(tmp_path / "none.ply").region is None
+    mesh.region = vertices[:, 0] > 0
+    gpremesh.write(tmp_path / "half.ply", mesh)
+    back = gpremesh.read(tmp_path / "half.ply")
+    assert back.region.dtype == bool and np.array_equal(back.region, mesh.region)
+    assert not back.vertex_values
+    near = gpremesh.remesh(vertices, faces, vertex_count=300, region=back.region)
+    assert np.array_equal(near.vertices, back.remesh(300, feature_region="selection").vertices)
+    with pytest.warns(UserWarning, match="selected"):
+        gpremesh.write(tmp_path / "half.obj", mesh)
+
+
+def two_images():
+    vertices, quads = sheet()
+    side = (vertices[quads].mean(axis=1)[:, 0] > 15).astype(np.int32)
+    return gpremesh.FileMesh(vertices, quads, uv=vertices[:, :2] / 30, image=side)
+
+
+def areas(mesh, labels):
+    corners = np.asarray(mesh.vertices)[mesh.faces]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    return [area[labels == label].sum() for label in np.unique(labels)]
+
+
+@pytest.mark.parametrize("ending, name", [("ply", None), ("obj", None), ("glb", "material")])
+def test_numbers_of_images_go_to_every_format(tmp_path, ending, name):
+    mesh = two_images()
+    small = gpremesh.remesh(mesh.vertices, mesh.faces, vertex_count=300, uv=mesh.uv, image=mesh.image)
+    for number, written in enumerate((mesh, small)):
+        path = tmp_path / f"{number}.{ending}"
+        gpremesh.write(path, written)
+        back = gpremesh.read(path)
+        image = back.image if name is None or back.image is not None else back.face_values[name]
+        assert len(areas(back, image)) == 2
+        if written is small:
+            assert np.allclose(areas(back, image), areas(small, small.image), rtol=1e-5)
+
+
+def test_lost_numbers_and_labels_are_told(tmp_path):
+    mesh = two_images()
+    mesh.face_values["label"] = mesh.image
+    with pytest.warns(UserWarning, match="'label' of faces"):
+        gpremesh.write(tmp_path / "both.glb", mesh)
+    mesh.face_values = {"material": mesh.image}
+    for ending in ("glb", "obj"):
+        with pytest.warns(UserWarning, match="numbers of images"):
+            gpremesh.write(tmp_path / f"both.{ending}", mesh)
+
+
+def test_regions_of_results_are_written(tmp_path):
+    mesh = two_images()
+    small = gpremesh.remesh(mesh.vertices, mesh.faces, vertex_count=300, regions=mesh.image)
+    gpremesh.write(tmp_path / "small.ply", small)
+    assert np.array_equal(gpremesh.read(tmp_path / "small.ply").face_values["region"], small.regions)
+    with pytest.warns(UserWarning, match="attribute"):
+        gpremesh.write(tmp_path / "small.off", small)
+
+
+@pytest.mark.parametrize("name", ["a b", "x", "a\nb", "", 5, "flags", "a\0"])
+def test_names_that_files_cannot_hold(tmp_path, name):
+    mesh = gpremesh.FileMesh(*torus())
+    mesh.vertex_values = {name: np.zeros(1800)}
+    with pytest.raises(ValueError, match="vertex_values has the name"):
+        gpremesh.write(tmp_path / "mesh.ply", mesh)
+    mesh.vertex_values, mesh.face_values = {"höhe": np.zeros(1800)}, {"texcoord": np.zeros(3600)}
+    with pytest.raises(ValueError, match="face_values has the name 'texcoord'"):
+        mesh.remesh(100)
+    mesh.face_values = {}
+    gpremesh.write(tmp_path / "mesh.ply", mesh)
+    assert list(gpremesh.read(tmp_path / "mesh.ply").vertex_values) == ["höhe"]
+
+
+def test_arguments_of_remesh_beside_the_parameters():
+    vertices, quads = sheet()
+    mesh, surface = gpremesh.FileMesh(vertices, quads), gpremesh.Surface(vertices, quads)
+    labels = (vertices[quads, 0].mean(axis=1) > 15).astype(int)
+    sizes = 1 + vertices[:, 0] / 20
+    flat = vertices * [1, 1, 0]
+    for given in (dict(regions=labels), dict(sizes=sizes), dict(uv=vertices[:, :2], regions=labels)):
+        expected = gpremesh.remesh(vertices, quads, vertex_count=300, **given)
+        assert np.array_equal(surface.remesh(vertex_count=300, **given).vertices, expected.vertices)
+        mesh.uv = given.pop("uv", None)
+        small = mesh.remesh(300, **given)
+        assert np.array_equal(small.vertices, expected.vertices)
+        assert ("region" in small.face_values) == ("regions" in given)
+    given = dict(vertex_count=300, periodic=(30, 30, 0))
+    expected = gpremesh.remesh(flat, quads, **given)
+    assert np.array_equal(gpremesh.FileMesh(flat, quads).remesh(**given).vertices, expected.vertices)
+    assert np.array_equal(gpremesh.Surface(flat, quads).remesh(**given).vertices, expected.vertices)
+    (level,) = gpremesh.levels(flat, quads, vertex_count=[300], periodic=(30, 30, 0))
+    assert np.array_equal(level.vertices, expected.vertices)
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda mesh: pickle.loads(pickle.dumps(mesh))], ids=["copy", "pickle"])
+def test_copies_have_materials_and_names(tmp_path, copied):
+    textured_glb(tmp_path / "in.glb")
+    write_groups(tmp_path / "in.obj")
+    for ending in ("glb", "obj"):
+        mesh = gpremesh.read(tmp_path / f"in.{ending}")
+        for made in (mesh, mesh.remesh(150)):
+            gpremesh.write(tmp_path / f"made.{ending}", made)
+            gpremesh.write(tmp_path / f"copy.{ending}", copied(made))
+            assert (tmp_path / f"made.{ending}").read_bytes() == (tmp_path / f"copy.{ending}").read_bytes()
+    assert copied(made).result.report == made.result.report
 
 
 def test_what_is_wrong_is_told(tmp_path):
@@ -182,13 +300,17 @@ def test_arrays_that_do_not_fit_are_named(tmp_path, name, value):
     assert not (tmp_path / "mesh.ply").exists()
 
 
-def test_names_of_groups_go_from_file_to_file(tmp_path):
+def write_groups(path):
     vertices, faces = torus()
     text = "".join(f"v {x} {y} {z}\n" for x, y, z in vertices)
     side = vertices[faces, 0].mean(axis=1) > 0
     for name, which in (("in let", side), ("wall", ~side)):
         text += f"g {name}\n" + "".join(f"f {a} {b} {c}\n" for a, b, c in faces[which] + 1)
-    (tmp_path / "in.obj").write_text(text)
+    path.write_text(text)
+
+
+def test_names_of_groups_go_from_file_to_file(tmp_path):
+    write_groups(tmp_path / "in.obj")
     made = gpremesh.read(tmp_path / "in.obj").remesh(300)
     gpremesh.write(tmp_path / "out.obj", made)
     written = (tmp_path / "out.obj").read_text()

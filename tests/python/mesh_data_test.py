@@ -50,6 +50,12 @@ def test_given_edges_become_edges_of_the_result():
     assert ((corners.min(axis=1) < 15.5) & (corners.max(axis=1) > 16.5)).any()
 
 
+def test_an_empty_list_of_edges():
+    vertices, faces = cube()
+    result = gpremesh.remesh(vertices, faces, vertex_count=300, feature_edges=[])
+    assert result.report["counts"]["featureEdges"] == 0
+
+
 def test_edges_found_beside_edges_given():
     vertices, faces = cube()
     middle = np.flatnonzero((vertices[:, 2] == 0) & (vertices[:, 0] == 0.5))
@@ -82,6 +88,32 @@ def test_transfer_of_vertices():
     assert set(result.transfer(labels)) == {"left", "right"}
     nearest = np.take_along_axis(result.corner_index, result.barycentric.argmax(axis=1)[:, None], 1)[:, 0]
     assert np.array_equal(result.transfer(np.arange(len(vertices))), nearest)
+
+
+def test_constants_and_places_of_map_coordinates_stay():
+    vertices, faces = torus()
+    vertices += [4.5e5, 5.4e6, 300]
+    result = gpremesh.remesh(vertices, faces, vertex_count=300)
+    for constant in (5.4e6, 0.1, np.inf):
+        assert (result.transfer(np.full(len(vertices), constant)) == constant).all()
+    assert np.abs(result.barycentric.sum(axis=1) - 1).max() < 1e-15
+    points = (vertices[result.corner_index] * result.barycentric[:, :, None]).sum(axis=1)
+    assert np.linalg.norm(result.transfer(vertices) - points, axis=1).max() < 1e-8
+    samples = gpremesh.sample(vertices, faces, count=300)
+    points = (vertices[faces[samples.face_index]] * samples.barycentric[:, :, None]).sum(axis=1)
+    assert np.linalg.norm(points - samples.points, axis=1).max() < 1e-6
+    values = {"height": np.full(len(vertices), 5.4e6)}
+    carried = gpremesh.FileMesh(vertices, faces, vertex_values=values).remesh(300)
+    assert (carried.vertex_values["height"] == 5.4e6).all()
+
+
+def test_results_do_not_depend_on_later_changes():
+    vertices, faces = torus()
+    result = gpremesh.remesh(vertices, faces, vertex_count=300)
+    corners, heights = result.corner_index.copy(), result.transfer(vertices[:, 2])
+    faces[:] = 0
+    assert np.array_equal(result.corner_index, corners)
+    assert np.array_equal(result.transfer(vertices[:, 2]), heights)
 
 
 def test_transfer_of_faces():
@@ -136,6 +168,23 @@ def test_texture_coordinates_of_vertices_and_images():
     assert np.array_equal(vertex_index, np.arange(300))
     with pytest.raises(ValueError, match="uv"):
         gpremesh.remesh(vertices, quads, vertex_count=300).split_at_seams()
+
+
+def test_texture_coordinates_of_polygons_corners():
+    vertices, quads = sheet()
+    flat = vertices[:, :2] / 30
+    expected = gpremesh.remesh(vertices, quads, vertex_count=200, uv=flat)
+    assert np.array_equal(gpremesh.remesh(vertices, quads, vertex_count=200, uv=flat[quads]).uv, expected.uv)
+    for width in (3, 5):
+        with pytest.raises(ValueError, match="uv must have .* 4, 2"):
+            gpremesh.remesh(vertices, quads, vertex_count=200, uv=np.zeros((len(quads), width, 2)))
+    mixed = [list(quad) for quad in quads[1:]] + [list(quads[0][[0, 1, 2]]), list(quads[0][[0, 2, 3]])]
+    padded = np.full((len(mixed), 4, 2), np.nan)
+    for row, polygon in zip(padded, mixed):
+        row[:len(polygon)] = flat[polygon]
+    expected = gpremesh.remesh(vertices, mixed, vertex_count=200, uv=flat)
+    assert np.array_equal(gpremesh.remesh(vertices, mixed, vertex_count=200, uv=padded).uv, expected.uv)
+    assert np.array_equal(gpremesh.FileMesh(vertices, mixed, uv=padded).remesh(200).uv, expected.uv)
 
 
 def test_samples():

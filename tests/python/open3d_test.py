@@ -83,6 +83,24 @@ def test_attributes_of_tensors_tell_regions():
             assert np.array_equal(result.triangle["region"].numpy(), found)
 
 
+def test_what_is_no_mesh_is_told():
+    for wrong in (None, open3d.geometry.PointCloud()):
+        with pytest.raises(TypeError, match="mesh must be a TriangleMesh of open3d"):
+            gpremesh.open3d.remesh(wrong, 500)
+    with pytest.raises(ValueError, match="no triangles"):
+        gpremesh.open3d.remesh(open3d.t.geometry.TriangleMesh(), 500)
+    with pytest.raises(TypeError, match="takes no image"):
+        gpremesh.open3d.remesh(plain_mesh(), 500, image=[1])
+
+
+def test_faces_without_a_material():
+    mesh = plain_mesh()
+    points, faces = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
+    mesh.triangle_uvs = open3d.utility.Vector2dVector(points[faces][:, :, :2].reshape(-1, 2))
+    mesh.triangle_material_ids = open3d.utility.IntVector(np.full(len(faces), -1, np.int32))
+    assert set(np.asarray(gpremesh.open3d.remesh(mesh, 500).triangle_material_ids)) == {-1}
+
+
 def test_a_mesh_of_tensors():
     vertices, faces = torus(120, 60, np.float32)
     mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(vertices), open3d.core.Tensor(faces.astype(np.int64)))

@@ -53,6 +53,32 @@ def test_the_stub_is_up_to_date():
     assert checked.returncode == 0, checked.stderr
 
 
+TYPED = """
+import numpy as np
+import gpremesh
+vertices, faces = np.zeros((4, 3)), np.zeros((4, 3), np.int32)
+result: gpremesh.RemeshResult = gpremesh.remesh(vertices, faces, vertex_count=np.int64(9), periodic=[1, 1, 0], adapt=np.float32(1))
+reveal_type(gpremesh.Surface(vertices, [[0, 1, 2], [0, 1, 2, 3]]).remesh(percent=5))
+mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"height": vertices[:, 2]})
+reveal_type(mesh.remesh(9, regions=faces[:, 0]))
+reveal_type(mesh.uv)
+gpremesh.remesh_together(((vertices, faces), {"vertices": vertices, "faces": faces}))
+gpremesh.trimesh.remesh(None, 9)
+gpremesh.levels(vertices, faces, percent=(20, 10))
+gpremesh.remesh(vertices, faces, preset="quick")
+"""
+
+
+def test_types_for_checkers(tmp_path, monkeypatch):
+    api = pytest.importorskip("mypy.api", reason="mypy is not installed")
+    monkeypatch.setenv("MYPYPATH", str(Path(gpremesh.__file__).parents[1]))
+    (tmp_path / "typed.py").write_text(TYPED)
+    told = api.run(["--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(tmp_path / "typed.py")])[0]
+    for expected in ("RemeshResult", "FileMesh", "ndarray"):
+        assert re.search(f"Revealed type is .*{expected}", told), told
+    assert told.count("error:") == 1 and "preset" in told, told
+
+
 @pytest.mark.parametrize("holder", [gpremesh, _api], ids=lambda module: module.__name__)
 def test_examples_in_the_code(holder):
     finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner()

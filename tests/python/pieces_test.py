@@ -45,6 +45,8 @@ def test_labels_and_texture_are_those_of_each_mesh():
 @pytest.mark.parametrize("pieces", [
     [],
     [(1, 2, 3)],
+    5,
+    sheet(),
     [dict(vertices=sheet()[0], faces=sheet()[1], colour=1)],
     [dict(vertices=sheet()[0])],
     [dict(vertices=sheet()[0], faces=sheet()[1], sizes=np.ones(961)), sheet()],
@@ -52,6 +54,19 @@ def test_labels_and_texture_are_those_of_each_mesh():
 def test_what_cannot_be_meant_is_refused(pieces):
     with pytest.raises(ValueError):
         gpremesh.remesh_together(pieces)
+
+
+def test_a_wrong_mesh_is_named():
+    with pytest.raises(ValueError, match=r"pieces\[1\] must be a pair"):
+        gpremesh.remesh_together([sheet(), (*sheet(), 1)])
+    with pytest.raises(ValueError, match=r"pieces\[1\].faces"):
+        gpremesh.remesh_together([sheet(), (sheet()[0], [[0, 1, 5000]])])
+
+
+def test_objects_with_vertices_and_faces():
+    results = gpremesh.remesh_together([gpremesh.FileMesh(*half) for half in halves()], vertex_count=500)
+    for result, expected in zip(results, gpremesh.remesh_together(halves(), vertex_count=500)):
+        assert np.array_equal(result.vertices, expected.vertices)
 
 
 def test_the_order_of_meshes_with_marks_does_not_matter():
@@ -75,6 +90,11 @@ def test_a_periodic_cell_has_matching_borders():
         assert len(end) > 10
         begin = end - np.eye(3)[axis] * 30
         assert rows(begin) <= points
+    west = vertices[faces, 0].mean(axis=1) < 15
+    a, b = gpremesh.remesh_together([(vertices, faces[west]), (vertices, faces[~west])], edge_length=2, periodic=(30, 30, 0))
+    begin, end = (rows(r.vertices[r.vertices[:, 0] == x] - [x, 0, 0]) for r, x in ((a, 0), (b, 30)))
+    assert len(begin) > 10 and begin == end
+    assert len(rows(a.vertices) & rows(b.vertices)) > 10
     with pytest.raises(gpremesh.Error, match="not periodic"):
         gpremesh.remesh(vertices, faces, edge_length=2, periodic=(30, 25, 0))
     with pytest.raises(ValueError, match="periodic"):

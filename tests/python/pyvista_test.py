@@ -103,6 +103,19 @@ def test_texture_coordinates():
     assert np.abs(result.active_texture_coordinates - wanted).max() < 1e-3
 
 
+def test_names_and_active_scalars_stay():
+    mesh = pyvista.Plane(i_resolution=40, j_resolution=40).triangulate()
+    mesh.point_data["TCoords"] = mesh.active_texture_coordinates
+    mesh.point_data.active_texture_coordinates_name = "TCoords"
+    mesh.point_data["heat"], mesh.cell_data["heat"] = np.zeros(mesh.n_points), np.ones(mesh.n_cells)
+    for of in ("point", "cell"):
+        mesh.set_active_scalars("heat", preference=of)
+        result = mesh.gpremesh.remesh(200)
+        assert result.active_scalars_info == mesh.active_scalars_info
+        assert result.point_data.active_texture_coordinates_name == "TCoords"
+        assert set(result.point_data) == set(mesh.point_data)
+
+
 def test_samples_and_features():
     mesh = polydata()
     points = mesh.gpremesh.sample(300)
@@ -114,7 +127,9 @@ def test_errors_come_out():
     with pytest.raises(gpremesh.Error):
         polydata().gpremesh.remesh(3)
     with pytest.raises(TypeError):
-        polydata().gpremesh.remesh(300, uv=None, sed=5)
+        polydata().gpremesh.remesh(300, sed=5)
+    with pytest.raises(TypeError, match="takes no uv"):
+        polydata().gpremesh.remesh(300, uv=None)
 
 
 def test_pyvista_finds_it_by_itself(tmp_path):

@@ -27,17 +27,18 @@ def test_progress_goes_from_0_to_1():
 
 
 @pytest.mark.parametrize("tool", [gpremesh.remesh, gpremesh.sample, gpremesh.features])
-def test_false_cancels(tool):
+@pytest.mark.parametrize("no", [False, np.False_, np.array(False)], ids=["bool", "numpy", "array"])
+def test_false_cancels(tool, no):
     vertices, faces = torus(200, 100)
     with pytest.raises(gpremesh.Error) as cancelled:
-        tool(vertices, faces, progress=lambda share, stage: False)
+        tool(vertices, faces, progress=lambda share, stage: no)
     assert cancelled.value.status == "cancelled"
     with pytest.raises(gpremesh.Error, match="Cancelled"):
         gpremesh.distance((vertices, faces), (vertices, faces), progress=lambda share, stage: False)
 
 
 def test_only_false_cancels():
-    for answer in (None, 0, "", True):
+    for answer in (None, 0, "", True, np.True_, np.array(0)):
         gpremesh.remesh(*torus(), vertex_count=100, progress=lambda share, stage: answer)
 
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A surface that is prepared once: the bytes of single runs, whatever ran before."""
 
+import copy
+import pickle
 import threading
 
 import numpy as np
@@ -40,7 +42,8 @@ def test_marks_may_differ_from_run_to_run():
     surface = gpremesh.Surface(vertices, faces)
     half = vertices[faces[:, 0], 0] > 0
     region = vertices[:, 1] > 0
-    for marks in (dict(selected=half), dict(selected=~half), dict(region=region), dict()):
+    sizes = 0.2 + 0.1 * (vertices[:, 0] > 0)
+    for marks in (dict(selected=half), dict(selected=~half), dict(region=region), dict(sizes=sizes), dict()):
         parameters = dict(marks, vertex_count=1000)
         assert_same(surface.remesh(**parameters), gpremesh.remesh(vertices, faces, **parameters))
 
@@ -57,6 +60,20 @@ def test_a_failed_run_leaves_the_surface_as_it_was():
     with pytest.raises(TypeError):
         surface.remesh(vertex_number=5)
     assert_same(surface.remesh(vertex_count=250), gpremesh.remesh(*mesh, vertex_count=250))
+
+
+def test_copies_are_prepared_anew():
+    surface = gpremesh.Surface(*torus())
+    expected = surface.remesh(vertex_count=200)
+    for copied in (copy.deepcopy(surface), pickle.loads(pickle.dumps(surface))):
+        assert_same(copied.remesh(vertex_count=200), expected)
+
+
+def test_a_run_inside_of_a_run_is_refused():
+    surface = gpremesh.Surface(*torus())
+    with pytest.raises(RuntimeError, match="progress"):
+        surface.remesh(vertex_count=100, progress=lambda share, stage: surface.remesh(vertex_count=50))
+    assert len(surface.remesh(vertex_count=100).vertices) == 100
 
 
 def test_threads_wait_for_each_other():
@@ -87,9 +104,9 @@ def test_levels_are_those_of_single_runs():
     assert told == sorted(told) and told[-1] <= 1
 
 
-@pytest.mark.parametrize("sizes", [{}, {"percent": []}, {"percent": [5], "face_count": [200]}])
+@pytest.mark.parametrize("sizes", [{}, {"percent": []}, {"percent": [5], "face_count": [200]}, {"percent": 10}])
 def test_levels_need_sizes_of_one_kind(sizes):
-    with pytest.raises(ValueError, match="levels needs one of"):
+    with pytest.raises(ValueError, match="levels needs one of|percent must be a list"):
         gpremesh.levels(*torus(), **sizes)
 
 

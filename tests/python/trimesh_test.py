@@ -111,6 +111,17 @@ def test_texture():
     assert len(result.vertices) == 400
 
 
+def test_a_material_without_texture_coordinates_and_the_density():
+    mesh = mesh_of()
+    material = trimesh.visual.material.PBRMaterial(baseColorFactor=[255, 0, 0, 255])
+    mesh.visual = trimesh.visual.TextureVisuals(material=material)
+    mesh.density = 7.8
+    result = gpremesh.trimesh.remesh(mesh, 500)
+    assert result.visual.kind == "texture" and result.visual.uv is None
+    assert result.visual.material.baseColorFactor.tolist() == [255, 0, 0, 255]
+    assert result.mass / result.volume == pytest.approx(7.8)
+
+
 def test_glb_files_of_the_command_line(tmp_path):
     """Written and read by trimesh, which knows nothing of the program's own reader and writer."""
     image = pytest.importorskip("PIL.Image").effect_noise((8, 8), 60).convert("RGB")
@@ -141,6 +152,13 @@ def test_glb_files_of_the_command_line(tmp_path):
     assert np.abs(box.visual.uv - (local[:, :2] / 2 + 0.5)).max() < 0.05
     difference = other.visual.vertex_colors[:, 0].astype(int) - colours_by(-other.vertices[:, 2])[:, 0]
     assert np.abs(difference).max() < 6
+
+
+def test_what_is_no_mesh_is_told():
+    with pytest.raises(TypeError, match="mesh must be a Trimesh of trimesh, not a Scene"):
+        gpremesh.trimesh.remesh(trimesh.Scene(mesh_of()), 500)
+    with pytest.raises(TypeError, match="takes no uv"):
+        gpremesh.trimesh.remesh(mesh_of(), 500, uv=torus()[0][:, :2])
 
 
 def test_distance_takes_meshes():

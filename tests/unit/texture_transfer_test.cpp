@@ -184,6 +184,16 @@ TEST(CarryOver, MeansAreRoundedAndNaNsWithoutWeightLeftOut)
 	EXPECT_EQ(meanAs<float>(0.25), 0.25f);
 }
 
+TEST(CarryOver, ConstantsStayThoughFloatWeightsHaveAnotherSum)
+{
+	const double           at[3] = {1, 2, 6};
+	const BarycentricPoint third{0, {0.25f, 0.25f, 0.25f}};
+	EXPECT_EQ(meanOfCorners(third, [&](int k) { return at[k]; }), 3);
+	const BarycentricPoint point{0, {0.208510995f, 0.498592407f, 0.292896599f}}; // rounds .1 off
+	for (const double constant : {5.4e6, 0.1, -1e300, std::numeric_limits<double>::infinity()})
+		EXPECT_EQ(meanOfCorners(point, [&](int) { return constant; }), constant);
+}
+
 } // namespace
 
 } // namespace gpr::test

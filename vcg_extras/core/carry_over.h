@@ -14,16 +14,23 @@
 
 namespace gpr {
 
-/// Σ weight·value over the corners of the point's face; valueOf(k) is the value at corner k. Skips
-/// corners without weight, as a value there may be NaN.
+/// The weighted mean of the values at the corners of the point's face; valueOf(k) is the value at
+/// corner k. Skips corners without weight, as a value there may be NaN. Weights are floats, whose
+/// sum is not exactly 1; and the limits keep a constant the same in spite of rounding.
 template <class ValueOf>
 double meanOfCorners(const BarycentricPoint& at, const ValueOf& valueOf)
 {
-	double sum = 0;
+	constexpr double infinity = std::numeric_limits<double>::infinity();
+	double           sum = 0, weights = 0, least = infinity, most = -infinity;
 	for (int k = 0; k < 3; ++k) {
-		if (at.weight[k] != 0) sum += double(at.weight[k]) * double(valueOf(k));
+		if (at.weight[k] == 0) continue;
+		const double value = double(valueOf(k));
+		sum += double(at.weight[k]) * value;
+		weights += double(at.weight[k]);
+		least = std::min(least, value);
+		most  = std::max(most, value);
 	}
-	return sum;
+	return std::min(std::max(sum / weights, least), most);
 }
 
 /// The corner with the largest weight, for values without a mean: labels, numbers of images.

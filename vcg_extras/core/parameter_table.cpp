@@ -373,8 +373,9 @@ void addUnits(Table& t)
 		.setsLength<&RemeshOptions::minEdge, &RemeshOptions::minEdgeIsPercent>();
 	row(t, RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length, "Largest edge (0 = any)",
 		"The largest local size, in mesh units. Without a size of the result, this is the size of "
-		"all places that nothing else makes smaller, and decides the number of vertices. Single "
-		"edges may be a fifth longer than their local size.")
+		"all places that nothing else makes smaller, and decides the number of vertices. A local "
+		"size is a mean: about a tenth of the edges are more than a fifth longer, single edges "
+		"twice as long or more.")
 		.range(0, 1e300)
 		.setsLength<&RemeshOptions::maxEdge, &RemeshOptions::maxEdgeIsPercent>();
 	row(t, RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",

@@ -97,14 +97,18 @@ inline nb::object facesOf(const std::vector<BarycentricPoint>& points)
 	return toNumpy(std::move(faces));
 }
 
-/// The barycentric weights of points on a surface, three per point.
+/// The barycentric weights of points on a surface, three per point. Their sum is 1 as exactly as
+/// doubles can, so that places far from the origin are right.
 inline nb::object weightsOf(const std::vector<BarycentricPoint>& points)
 {
-	std::vector<float> weights;
+	std::vector<double> weights;
 	weights.reserve(3 * points.size());
-	for (const BarycentricPoint& p : points)
-		weights.insert(weights.end(), p.weight, p.weight + 3);
-	return toNumpy<float>(std::move(weights), {points.size(), 3});
+	for (const BarycentricPoint& p : points) {
+		const double sum = double(p.weight[0]) + double(p.weight[1]) + double(p.weight[2]);
+		for (const float weight : p.weight)
+			weights.push_back(double(weight) / sum);
+	}
+	return toNumpy<double>(std::move(weights), {points.size(), 3});
 }
 
 } // namespace gpr::python

@@ -92,6 +92,13 @@ nb::object coordinatesOf(const app::InputMesh& mesh)
 	return toNumpy<float>(copyOf(mesh.floats), {mesh.vertexNum(), 3});
 }
 
+/// The selected vertices, as bools; None if no vertex is selected.
+nb::object selectionOf(const app::InputMesh& mesh)
+{
+	if (!mesh.view().anySelected()) return nb::none();
+	return toNumpy<bool>(copyOf(mesh.selected), {mesh.vertexNum()});
+}
+
 } // namespace
 
 void FileAttributes::addVertexValues(const std::string& name, const nb::ndarray<nb::ro>& array)
@@ -126,6 +133,66 @@ void FileAttributes::takeMaterials(const FileAttributes& other)
 	names                  = other.names;
 	for (const app::ValueColumn& column : other.values.ofFaces) {
 		if (!column.names.empty()) names[column.name] = column.names;
+	}
+}
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+nb::list bytesOf(const Texts& texts)
+{
+	nb::list all;
+	for (const std::string& text : texts)
+		all.append(nb::bytes(text.data(), text.size()));
+	return all;
+}
+
+Texts textsOf(nb::handle all)
+{
+	Texts texts;
+	for (const nb::handle text : nb::cast<nb::list>(all)) {
+		const auto bytes = nb::cast<nb::bytes>(text);
+		texts.emplace_back(bytes.c_str(), bytes.size());
+	}
+	return texts;
+}
+
+} // namespace
+
+nb::list FileAttributes::materialState() const
+{
+	nb::list state;
+	for (const Texts& texts : {values.images, values.materials,
+							   Texts{values.materialLibrary, values.folder, values.unit},
+							   values.gltf == nullptr ? Texts() : Texts{values.gltf->json},
+							   values.gltf == nullptr ? Texts() : values.gltf->imageBytes})
+		state.append(bytesOf(texts));
+	for (const auto& [column, ofColumn] : names) {
+		Texts texts = ofColumn;
+		texts.push_back(column);
+		state.append(bytesOf(texts));
+	}
+	return state;
+}
+
+void FileAttributes::setMaterialState(const nb::list& state)
+{
+	values.images          = textsOf(state[0]);
+	values.materials       = textsOf(state[1]);
+	const Texts plain      = textsOf(state[2]);
+	values.materialLibrary = plain.at(0);
+	values.folder          = plain.at(1);
+	values.unit            = plain.at(2);
+	const Texts json       = textsOf(state[3]);
+	if (!json.empty())
+		values.gltf =
+			std::make_shared<app::GltfMaterials>(app::GltfMaterials{json[0], textsOf(state[4])});
+	for (std::size_t i = 5; i < state.size(); ++i) {
+		Texts             texts  = textsOf(state[i]);
+		const std::string column = texts.back();
+		texts.pop_back();
+		names[column] = texts;
 	}
 }
 
@@ -165,7 +232,7 @@ nb::dict readMeshFile(const std::string& path)
 	out["status"]   = "ok";
 	out["vertices"] = coordinatesOf(mesh);
 	out["faces"]    = toNumpy<std::int32_t>(copyOf(mesh.triangles), {mesh.faceNum(), 3});
-	out["selected"] = mesh.selected.empty() ? nb::none() : toNumpy(std::move(mesh.selected));
+	out["selected"] = selectionOf(mesh);
 	out["notes"]    = nb::list();
 	for (const std::string& note : mesh.notes)
 		nb::cast<nb::list>(out["notes"]).append(note);

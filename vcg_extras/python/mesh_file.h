@@ -28,6 +28,10 @@ struct FileAttributes {
 	/// file.
 	void takeMaterials(const FileAttributes& other);
 
+	/// The same as lists of bytes, since names in files may be no UTF-8, for pickle.
+	nb::list materialState() const;
+	void     setMaterialState(const nb::list& state);
+
 	/// Copies: arrays by name; the texture is None if there is no texture.
 	nb::dict   vertexValues() const;
 	nb::dict   faceValues() const;

@@ -58,6 +58,12 @@ NB_MODULE(_core, module)
 		.def("add_face_values", &FileAttributes::addFaceValues, "name"_a, "array"_a)
 		.def("set_texture", &FileAttributes::setTexture, "uv"_a, "image"_a.none())
 		.def("take_materials", &FileAttributes::takeMaterials, "other"_a)
+		.def("__getstate__", &FileAttributes::materialState)
+		.def("__setstate__",
+			 [](FileAttributes& self, const nb::list& state) {
+				 new (&self) FileAttributes();
+				 self.setMaterialState(state);
+			 })
 		.def("vertex_values", &FileAttributes::vertexValues)
 		.def("face_values", &FileAttributes::faceValues)
 		.def("uv", &FileAttributes::uv)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <nanobind/stl/string.h>
-#include <optional>
 #include <vector>
 
 namespace nb = nanobind;
@@ -34,14 +33,6 @@ const Parameter* findArgument(Tool tool, const std::string& name)
 {
 	const std::string given = nb::cast<std::string>(nb::repr(value));
 	throw nb::value_error((name + " takes " + wanted + ", not " + given + ".").c_str());
-}
-
-/// A Python or NumPy bool; none for other values.
-std::optional<bool> switchOf(nb::handle value)
-{
-	const std::string type = nb::cast<std::string>(nb::str(value.type().attr("__name__")));
-	if (type != "bool" && type != "bool_") return std::nullopt;
-	return nb::cast<bool>(nb::bool_(nb::borrow(value)));
 }
 
 std::optional<std::int64_t> wholeNumberOf(nb::handle value)
@@ -166,6 +157,15 @@ nb::dict entryOf(const Parameter& p, Tool tool)
 }
 
 } // namespace
+
+std::optional<bool> switchOf(nb::handle value)
+{
+	const std::string dtype =
+		nb::cast<std::string>(nb::str(nb::getattr(value, "dtype", nb::none())));
+	const bool isNumPy = dtype == "bool" && nb::cast<int>(value.attr("ndim")) == 0;
+	if (!isNumPy && !nb::isinstance<nb::bool_>(value)) return std::nullopt;
+	return nb::cast<bool>(nb::bool_(nb::borrow(value)));
+}
 
 nb::list parameterList(Tool tool)
 {

@@ -6,11 +6,15 @@
 #include <vcg_extras/core/parameters.h>
 
 #include <nanobind/nanobind.h>
+#include <optional>
 #include <string>
 
 // The rows of the parameter table as keyword arguments.
 
 namespace gpr::python {
+
+/// A Python or NumPy bool; none for other values.
+std::optional<bool> switchOf(nanobind::handle value);
 
 /// The rows of a tool that are keyword arguments, a dictionary each, in the order of the table:
 /// name, kind, label, help, minimum, maximum, choices, default (None for a size).

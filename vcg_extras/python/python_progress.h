@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_PYTHON_PYTHON_PROGRESS_H
 #define VCG_EXTRAS_PYTHON_PYTHON_PROGRESS_H
 
+#include "parameter_values.h"
+
 #include <vcg_extras/core/progress.h>
 
 #include <exception>
@@ -39,7 +41,7 @@ private:
 		const nanobind::gil_scoped_acquire lock;
 		try {
 			if (PyErr_CheckSignals() != 0) nanobind::raise_python_error();
-			return function_.is_none() || !function_(share, phrase).is(nanobind::bool_(false));
+			return function_.is_none() || switchOf(function_(share, phrase)) != false;
 		}
 		catch (...) {
 			raised_ = std::current_exception();

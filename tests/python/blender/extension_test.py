@@ -285,6 +285,36 @@ class Extension(unittest.TestCase):
         self.assertAlmostEqual(lengths.mean(), 0.2, delta=0.01)
         self.assertLess(lengths.std(), 0.04)
 
+    def test_triangles_are_regular_under_a_stretched_parent(self):
+        bpy.ops.object.empty_add()
+        parent = bpy.context.object
+        thing = self.sphere(calc_uvs=False)
+        thing.parent, parent.scale, thing.rotation_euler = parent, (4, 1, 1), (0, 0, 0.7)
+        bpy.context.view_layer.update()
+        self.remesh(size="LENGTH", edge_length=0.2, adapt=0)
+        mesh = thing.data
+        linear = np.array(thing.matrix_world)[:3, :3]
+        ends = (read(mesh.vertices, "co", 3) @ linear.T)[read(mesh.edges, "vertices", 2, np.int32)]
+        lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
+        self.assertAlmostEqual(lengths.mean(), 0.2, delta=0.01)
+        self.assertLess(lengths.std(), 0.04)
+        self.assertLess(np.abs(np.linalg.norm(read(mesh.vertices, "co", 3), axis=1) - 1).max(), 0.03)
+
+    def test_marks_that_are_lost_are_told(self):
+        thing = self.sphere()
+        mesh = thing.data
+        self.assertEqual(self.notes_of(thing), [])
+        mesh.attributes.new("sharp_edge", "BOOLEAN", "EDGE").data[0].value = True
+        mesh.edges[0].use_seam = True
+        mesh.normals_split_custom_set_from_vertices([(0, 0, 1)] * len(mesh.vertices))
+        notes = " ".join(self.notes_of(thing))
+        for what in ("Edges marked sharp", "Seams", "Custom normals"):
+            self.assertIn(what, notes)
+
+    def notes_of(self, thing):
+        module = next(module for name, module in sys.modules.items() if name.endswith(".mesh_data"))
+        return module.take(thing).notes
+
     def test_refusals_leave_the_mesh(self):
         bpy.ops.mesh.primitive_torus_add()
         thing = bpy.context.object

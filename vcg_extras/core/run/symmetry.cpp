@@ -178,6 +178,7 @@ private:
 			throw;
 		}
 		addTimes(ofRun_, run_.clock);
+		run_.workers.enterStage("Joining the halves", ofHalf.to, ofHalf.to);
 	}
 
 	// ---- the whole

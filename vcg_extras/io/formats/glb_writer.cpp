@@ -97,17 +97,18 @@ public:
 	}
 };
 
-/// Whether neither materials nor images tell the materials, so that regions do.
+/// Whether neither materials nor files of images tell the materials, so that labels of faces do.
 bool materialsAreRegions(const MeshAttributes& a)
 {
 	return a.gltf == nullptr && a.materials.empty() && a.images.empty();
 }
 
-/// A column of materials goes before other regions.
+/// A column of materials goes before numbers of images, and these before other regions.
 FaceRegions regionsForMaterials(const MeshAttributes& a)
 {
 	const ValueColumn* const column = columnNamed(a.ofFaces, "material");
-	return column != nullptr && areLabels(*column) ? regionsIn(*column) : regionsOf(a);
+	if (column != nullptr && areLabels(*column)) return regionsIn(*column);
+	return a.texture.image.empty() ? regionsOf(a) : FaceRegions{a.texture.image, {}, "image_"};
 }
 
 class GlbWriting {
@@ -376,8 +377,12 @@ void tellLostInGltf(const MeshAttributes& attributes, std::vector<std::string>& 
 		if (!isOneOf(column.name, {"red", "green", "blue", "alpha", "nx", "ny", "nz"}))
 			lost.push_back("'" + column.name + "' of vertices");
 	}
-	const bool regionsToo =
-		materialsAreRegions(attributes) && columnNamed(attributes.ofFaces, "material") == nullptr;
+	const bool hasMaterial = columnNamed(attributes.ofFaces, "material") != nullptr;
+	const bool hasImage    = !attributes.texture.image.empty();
+	const bool regionsToo  = materialsAreRegions(attributes) && !hasMaterial && !hasImage;
+	if (hasMaterial && hasImage)
+		lost.push_back(materialsAreRegions(attributes) ? "numbers of images"
+													   : "'material' of faces");
 	for (const ValueColumn& column : attributes.ofFaces) {
 		const bool isRegion = regionsToo && tellsRegions(column.name) && areLabels(column);
 		if (column.name != "material" && !isRegion)

@@ -177,6 +177,13 @@ bool isWritten(const ValueColumn& column)
 					   [&](const auto& name) { return column.name == name.first; });
 }
 
+/// Whether numbers of images tell the materials, of which an OBJ file has a single name for a face.
+bool imagesAreMaterials(const MeshAttributes& a)
+{
+	if (a.texture.image.empty()) return false;
+	return !a.materials.empty() || columnNamed(a.ofFaces, "material") == nullptr;
+}
+
 class ObjWriting {
 public:
 	ObjWriting(const TriangleMesh& mesh, const MeshAttributes& a, OutputFile& out) :
@@ -256,8 +263,8 @@ private:
 					names_.push_back({keyword, regionsIn(column)});
 			}
 		}
-		if (!a_.texture.image.empty() && !a_.materials.empty())
-			names_.push_back({"usemtl", {a_.texture.image, a_.materials}});
+		if (imagesAreMaterials(a_))
+			names_.push_back({"usemtl", {a_.texture.image, a_.materials, "image_"}});
 	}
 
 	void writeNames(std::size_t f)
@@ -314,6 +321,8 @@ void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttribut
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (!isWritten(column)) lost.push_back("'" + column.name + "' of faces");
 	}
+	if (!attributes.texture.image.empty() && !imagesAreMaterials(attributes))
+		lost.push_back("numbers of images");
 	if (!attributes.images.empty()) lost.push_back("names of images");
 	ObjWriting(mesh, attributes, out).write(doublePrecision);
 }

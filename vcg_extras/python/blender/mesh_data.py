@@ -48,15 +48,15 @@ class Column:
 
 
 class TakenMesh:
-    """A mesh for gpremesh, and the values to transfer to the result. Coordinates have the scale of the object, so
+    """A mesh for gpremesh, and the values to transfer to the result. Coordinates have the stretch of the object, so
     that triangles are regular in the scene."""
 
-    def __init__(self, mesh, scale, group_names):
+    def __init__(self, mesh, stretch, group_names):
         mesh.calc_loop_triangles()
         triangles = mesh.loop_triangles
         self.notes = []
-        self.scale = scale
-        self.vertices = numbers(mesh.vertices, "co", 3, np.float32) * scale
+        self.stretch = stretch
+        self.vertices = (numbers(mesh.vertices, "co", 3, np.float32) @ stretch).astype(np.float32)
         self.faces = numbers(triangles, "vertices", 3, np.int32)
         self.corners = numbers(triangles, "loops", 3, np.int32)
         self.polygons = numbers(triangles, "polygon_index", 1, np.int32)
@@ -66,6 +66,7 @@ class TakenMesh:
         self.groups = self._take_groups(mesh)
         self.group_names = {group.name: group.index for group in group_names}
         self.sharp_edges = self._take_sharp_edges(mesh)
+        self._note_marks(mesh)
 
     def _take_uv(self, mesh):
         layer = mesh.uv_layers.active
@@ -110,6 +111,14 @@ class TakenMesh:
         if sharp is None:
             return np.zeros((0, 2), np.int32)
         return numbers(mesh.edges, "vertices", 2, np.int32)[numbers(sharp.data, "value", 1, bool)]
+
+    def _note_marks(self, mesh):
+        """Notes what Blender keeps beside the attributes that have a note of their own."""
+        for what, is_there in (("Edges marked sharp", len(self.sharp_edges) > 0),
+                               ("Seams", numbers(mesh.edges, "use_seam", 1, bool).any()),
+                               ("Custom normals", mesh.has_custom_normals)):
+            if is_there:
+                self.notes.append(f"{what} were lost.")
 
     def _column_named(self, name, of, field):
         for column in self.columns:
@@ -157,11 +166,12 @@ class TakenMesh:
         mesh = active.data
         names = [group.name for group in active.vertex_groups]
         groups = {number: result.transfer(weights, "vertex") for number, weights in self.groups.items()}
+        places = np.ascontiguousarray(result.vertices @ np.linalg.inv(self.stretch), np.float32)
         mesh.clear_geometry()
         mesh.vertices.add(len(result.vertices))
         mesh.loops.add(3 * len(result.faces))
         mesh.polygons.add(len(result.faces))
-        mesh.vertices.foreach_set("co", np.ascontiguousarray(result.vertices / self.scale, np.float32).reshape(-1))
+        mesh.vertices.foreach_set("co", places.reshape(-1))
         mesh.loops.foreach_set("vertex_index", np.ascontiguousarray(result.faces, np.int32).reshape(-1))
         mesh.polygons.foreach_set("loop_start", np.arange(0, 3 * len(result.faces), 3, dtype=np.int32))
         mesh.polygons.foreach_set("material_index", result.transfer(self.materials, "face"))
@@ -185,6 +195,17 @@ def _put_groups(active, names, groups):
             active.vertex_groups[number].add([int(vertex)], float(weights[vertex]), "REPLACE")
 
 
+def stretch_of(matrix):
+    """The symmetric matrix that gives lengths of the scene along the object's own axes: the scale, and the shear of a
+    rotated child of a stretched parent."""
+    linear = np.array(matrix, np.float64)[:3, :3]
+    squared = linear.T @ linear
+    scale = np.sqrt(np.diag(squared))
+    squared[np.abs(squared) < 1e-6 * np.outer(scale, scale)] = 0  # without shear the axes stay exact
+    values, axes = np.linalg.eigh(squared)
+    return (axes * np.sqrt(np.maximum(values, 0))) @ axes.T
+
+
 def take(active):
     """The mesh of an object. Raises a ValueError with the reason for an unusable mesh."""
     mesh = active.data
@@ -192,10 +213,10 @@ def take(active):
         raise ValueError("The mesh has shape keys, which cannot be carried over; apply or remove the shape keys first.")
     if not mesh.polygons:
         raise ValueError("The mesh has no faces.")
-    scale = np.abs(np.array(active.matrix_world.to_scale(), np.float32))
-    if not scale.min() > 0:
+    stretch = stretch_of(active.matrix_world)
+    if not np.linalg.det(stretch) > 0:
         raise ValueError("The object is scaled to nothing.")
-    return TakenMesh(mesh, scale, active.vertex_groups)
+    return TakenMesh(mesh, stretch, active.vertex_groups)
 
 
 def copy_beside(context, active):

@@ -10,24 +10,30 @@ from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
 from ._table import with_parameters
 
 
-def _check_progress(progress):
+def check_progress(progress):
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be a function or None, not {type(progress).__name__}")
 
 
-def _given(parameters):
+def without_none(parameters):
     """The parameters without None, which means not given."""
     return {name: value for name, value in parameters.items() if value is not None}
 
 
-def checked(tool, parameters, progress):
-    """The given parameters of a tool. Unknown parameters raise a TypeError."""
-    _check_progress(progress)
-    names = {entry["name"] for entry in _core.parameters(tool)}
-    for name in parameters:
-        if name not in names:
-            raise TypeError(f"{tool}() has no parameter {name!r}")
-    return _given(parameters)
+def check_mesh_of_host(mesh, kinds, parameters):
+    """Refuses a mesh of another type, and arguments that come from the mesh."""
+    if not isinstance(mesh, kinds):
+        package = kinds[0].__module__.split(".")[0]
+        raise TypeError(f"mesh must be a {kinds[0].__name__} of {package}, not a {type(mesh).__name__}.")
+    for name in {"uv", "image"} & parameters.keys():
+        raise TypeError(f"remesh() takes no {name} here, since texture coordinates come from the mesh.")
+
+
+def as_list(name, values):
+    try:
+        return list(values)
+    except TypeError:
+        raise ValueError(f"{name} must be a list, not {type(values).__name__}.") from None
 
 
 def _imply(parameters, name, choice, argument, values):
@@ -48,7 +54,7 @@ def extras(mesh, parameters, region, feature_edges):
     return made
 
 
-def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
+def all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
                 image=None, regions=None, sizes=None, periodic=None):
     """The arguments of `remesh` beside the mesh and the parameters, as arrays for the engine."""
     if image is not None and uv is None:
@@ -65,9 +71,9 @@ def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=N
 
 def remesh_mesh(mesh, prepared, progress, parameters, **beside):
     """Runs `remesh` on a checked mesh, with a prepared surface or None."""
-    _check_progress(progress)
-    parameters = _given(parameters)
-    given = _all_extras(mesh, parameters, **beside)
+    check_progress(progress)
+    parameters = without_none(parameters)
+    given = all_extras(mesh, parameters, **beside)
     given.prepared = prepared
     outcome = _core.remesh(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
@@ -94,11 +100,11 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     feature_edges : array_like (e, 2), optional
         Edges of the faces, as pairs of vertices. Edges of the result follow these edges. Without
         `features` the result follows no other edges; features='auto' adds the edges that are found.
-    uv : array_like (n, 2) or (f, 3, 2), optional
-        Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
-        the seams.
+    uv : array_like (n, 2) or (f, c, 2), optional
+        Texture coordinates of the vertices, or of the corners of the faces; c is the most corners of a
+        face, and the rest of the row of a smaller face is not used. Edges of the result follow the seams.
     image : array_like (f,) of int, optional
-        With `uv`: the number of the image of each face.
+        With `uv`: the number of the image of each face, -1 without an image.
     regions : array_like (f,) of int, optional
         Labels of the faces, such as materials or patches. Edges of the result follow the borders between
         labels, and `regions` of the result has a label for each new face.
@@ -151,8 +157,12 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
                        regions=regions, sizes=sizes, periodic=periodic)
 
 
+def _piece(name, piece):
+    return dict(piece) if isinstance(piece, dict) else dict(zip(("vertices", "faces"), vertices_and_faces(name, piece)))
+
+
 @with_parameters("remesh")
-def remesh_together(pieces, *, progress=None, **parameters):
+def remesh_together(pieces, *, periodic=None, progress=None, **parameters):
     """Remeshes several meshes as a single surface and returns a result for each mesh, without cracks.
 
     If borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
@@ -160,11 +170,11 @@ def remesh_together(pieces, *, progress=None, **parameters):
 
     Parameters
     ----------
-    pieces : list of (vertices, faces), or of dict
+    pieces : list of (vertices, faces), of objects with both as attributes, or of dict
         The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
-    progress
-        As for `remesh`.
+    periodic, progress
+        As for `remesh`, for all meshes together.
     PARAMETERS
 
     Returns
@@ -191,10 +201,9 @@ def remesh_together(pieces, *, progress=None, **parameters):
     >>> len(a.vertices) + len(b.vertices) - len(seam)
     400
     """
-    _check_progress(progress)
-    parameters = _given(parameters)
-    pieces = [dict(zip(("vertices", "faces"), p, strict=True)) if not isinstance(p, dict) else dict(p)
-              for p in pieces]
+    check_progress(progress)
+    parameters = without_none(parameters)
+    pieces = [_piece(f"pieces[{k}]", piece) for k, piece in enumerate(as_list("pieces", pieces))]
     if not pieces:
         raise ValueError("pieces must have at least one mesh.")
     unknown = {name for piece in pieces for name in piece} - {
@@ -207,10 +216,12 @@ def remesh_together(pieces, *, progress=None, **parameters):
         raise ValueError("sizes must be given for all meshes, or for none.")
     if any(piece.get(name) is None for piece in pieces for name in ("vertices", "faces")):
         raise ValueError("each of the pieces needs vertices and faces.")
-    meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
+    meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces"), (f"pieces[{k}].vertices", f"pieces[{k}].faces"))
+              for k, piece in enumerate(pieces)]
     choices = [dict(parameters) for _ in pieces]  # a choice implied by any mesh holds for all
-    given = [_all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
+    given = [all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
     parameters = {name: value for own in choices for name, value in own.items()}
+    given[0].period = _arrays.period("periodic", periodic)  # the engine takes it from the first mesh
     outcomes = _core.remesh_pieces([mesh.vertices for mesh in meshes], [mesh.faces for mesh in meshes],
                                    given, parameters, progress)
     for outcome in outcomes:
@@ -252,8 +263,8 @@ def sample(vertices, faces, *, region=None, feature_edges=None, progress=None,
     >>> 900 < len(samples.points) < 1100
     True
     """
-    _check_progress(progress)
-    parameters = _given(parameters)
+    check_progress(progress)
+    parameters = without_none(parameters)
     mesh = _arrays.Mesh(vertices, faces)
     given = extras(mesh, parameters, region, feature_edges)
     outcome = _core.sample(mesh.vertices, mesh.faces, given, parameters, progress)
@@ -289,9 +300,9 @@ def features(vertices, faces, *, progress=None, **parameters):
     ValueError, gpremesh.Error, KeyboardInterrupt
         As `remesh`.
     """
-    _check_progress(progress)
+    check_progress(progress)
     mesh = _arrays.Mesh(vertices, faces)
-    outcome = _core.features(mesh.vertices, mesh.faces, _given(parameters), progress)
+    outcome = _core.features(mesh.vertices, mesh.faces, without_none(parameters), progress)
     check(outcome)
     faces_marked = np.zeros(mesh.face_num, bool)
     triangles = np.flatnonzero(outcome["face"])
@@ -350,7 +361,7 @@ def distance(a, b, *, samples=0, threads=0, progress=None):
     ValueError, gpremesh.Error, KeyboardInterrupt
         As `remesh`. During the construction of a search tree, cancelling waits for the end of the tree.
     """
-    _check_progress(progress)
+    check_progress(progress)
     samples = _whole_number("samples", samples, 0, 100_000_000)
     threads = _whole_number("threads", threads, 0, 1024)
     first, second = _mesh_of("a", a), _mesh_of("b", b)

@@ -77,10 +77,13 @@ def lengths(name, values, length):
     if values is None:
         return None
     array = _array(name, values)
-    if array.shape != (length,) or array.dtype.kind not in "fiu":
+    if array.shape != (length,):
         raise ValueError(f"{name} must have a number for each of the {length} vertices, "
-                         f"not an array of shape {array.shape} and type {array.dtype}.")
-    return _in_order(array, np.float32)
+                         f"not an array of shape {array.shape}.")
+    numbers = _numbers(name, array, "(n,)", np.float32)
+    if not (numbers > 0).all():
+        raise ValueError(f"{name} must be lengths above 0 in float32.")
+    return numbers
 
 
 def period(name, values):
@@ -88,9 +91,10 @@ def period(name, values):
     if values is None:
         return []
     array = _array(name, values)
-    if array.shape != (3,) or array.dtype.kind not in "fiu" or not (array > 0).any():
+    numbers = _numbers(name, array, "(3,)", np.float64)
+    if array.shape != (3,) or (numbers < 0).any() or not (numbers > 0).any():
         raise ValueError(f"{name} must be three lengths, at least one length above 0.")
-    return [float(length) for length in array]
+    return numbers.tolist()
 
 
 def edges(name, values, vertex_num):
@@ -98,6 +102,8 @@ def edges(name, values, vertex_num):
     if values is None:
         return None
     array = _array(name, values)
+    if array.shape == (0,):  # an empty list
+        array = array.reshape(0, 2)
     if array.ndim != 2 or array.shape[1] != 2:
         raise ValueError(f"{name} must have the shape (n, 2), not {array.shape}.")
     return indices(name, array, vertex_num)
@@ -138,13 +144,14 @@ class Mesh:
     index_dtype : dtype of the caller's faces
     face_num : number of the caller's faces
     corners : for each corner of a triangle, the corner of the caller's faces; None: the same corners
+    sizes : with `corners`, the number of corners of each of the caller's faces
     face_of : for each triangle, the face of the caller; None: the same faces
     """
 
     def __init__(self, vertices, faces, names=("vertices", "faces")):
         name = names[1]
         self.vertices = coordinates(names[0], vertices)
-        self.corners = self.face_of = None
+        self.corners = self.sizes = self.face_of = None
         table = _table(faces)
         if table is not None and table.shape[1] == 3:
             self.face_num = len(table)
@@ -166,6 +173,7 @@ class Mesh:
         self.index_dtype = np.dtype(np.int64 if corners.dtype.itemsize > 4 else np.int32)
 
     def _cut(self, corners, sizes):
+        self.sizes = sizes
         self.corners = _core.cut_polygons(self.vertices, corners, sizes.astype(np.int32))
         face_of_corner = np.repeat(np.arange(len(sizes), dtype=np.int32), sizes)
         self.faces = corners[self.corners].reshape(-1, 3)
@@ -183,29 +191,29 @@ class Mesh:
 
     def corner_uv(self, name, values):
         """Texture coordinates of vertices (n, 2) or of the faces' corners (f, c, 2), for each corner of
-        the triangles; None stays None."""
+        the triangles; None stays None. c is the most corners of a face; the rest of a row is unused."""
         if values is None:
             return None
         array = _array(name, values)
+        width = 3 if self.sizes is None else int(self.sizes.max(initial=0))
         if array.shape == (len(self.vertices), 2):
             of_corners = _numbers(name, array, "(n, 2)", np.float32)[self.faces]
-        elif array.ndim == 3 and array.shape[0] == self.face_num and array.shape[2] == 2 and (
-                self.corners is not None or array.shape[1] == 3):
-            flat = _numbers(name, array, "(f, 3, 2)", np.float32).reshape(-1, 2)
-            of_corners = flat if self.corners is None else self._of_corners(name, flat)
+        elif array.shape == (self.face_num, width, 2):
+            of_corners = _numbers(name, self._of_corners(array), "(f, c, 2)", np.float32)
         else:
-            raise ValueError(f"{name} must have the shape (n, 2) for vertices or (f, 3, 2) for corners "
-                             f"of faces, not {array.shape}.")
+            raise ValueError(f"{name} must have the shape ({len(self.vertices)}, 2) for vertices or "
+                             f"({self.face_num}, {width}, 2) for corners of faces, not {array.shape}.")
         return _in_order(of_corners.reshape(-1, 3, 2), np.float32)
 
-    def _of_corners(self, name, flat):
-        if self.corners.size and int(self.corners.max()) >= len(flat):
-            raise ValueError(f"{name} has fewer corners than the faces.")
-        return flat[self.corners]
+    def _of_corners(self, array):
+        if self.corners is None:
+            return array
+        is_used = np.arange(array.shape[1]) < self.sizes[:, None]
+        return array[is_used][self.corners]
 
     def images(self, name, values):
-        """The number of the image for each triangle; None stays None."""
-        return self.labels(name, values, 0)
+        """The number of the image for each triangle, -1 without an image; None stays None."""
+        return self.labels(name, values, -1)
 
     def labels(self, name, values, least=-_MOST):
         """A whole number for each triangle; None stays None."""

@@ -18,7 +18,7 @@ class RemeshResult:
         faces (int32 or int64).
     face_index : ndarray (n,)
         The input face below each vertex. A fit moves vertices a little off the face.
-    barycentric : ndarray (n, 3) of float32
+    barycentric : ndarray (n, 3) of float64
         The weights of the three corners of the input face; the sum is 1.
     corner_index : ndarray (n, 3)
         The three corners, as vertices of the input. For a polygon, the corners of the triangle below the
@@ -44,6 +44,7 @@ class RemeshResult:
     faces: np.ndarray
     face_index: np.ndarray
     barycentric: np.ndarray
+    corner_index: np.ndarray
     middle_face_index: np.ndarray
     kept_vertex: "np.ndarray | None"
     kept_face: "np.ndarray | None"
@@ -67,17 +68,12 @@ class RemeshResult:
         self.image = image if image is not None and image.size else None
         self.regions = outcome["regions"] if outcome["regions"].size else None
         self.report = report
-        self._triangle_index = outcome["face_index"]
-        self._triangles = mesh.faces
+        self.corner_index = mesh.faces[outcome["face_index"]].astype(mesh.index_dtype, copy=False)
         self._input_sizes = {"vertex": len(mesh.vertices), "face": mesh.face_num}
         self._index_dtype = mesh.index_dtype
 
     def __repr__(self):
         return f"<gpremesh.RemeshResult: {len(self.vertices)} vertices, {len(self.faces)} faces>"
-
-    @property
-    def corner_index(self) -> np.ndarray:
-        return self._triangles[self._triangle_index].astype(self._index_dtype, copy=False)
 
     def split_at_seams(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
         """The mesh with a copy of each vertex for each of its texture coordinates, for formats and packages
@@ -139,7 +135,7 @@ class RemeshResult:
                              f"input; its shape is {array.shape}.")
         if of == "face":
             return array[self.middle_face_index]
-        corners = self._triangles[self._triangle_index]
+        corners = self.corner_index
         if array.dtype.kind == "f" or array.dtype == np.uint8:
             return _mean_of_corners(array, corners, self.barycentric)
         nearest = np.argmax(self.barycentric, axis=1)
@@ -147,12 +143,13 @@ class RemeshResult:
 
 
 def _mean_of_corners(values, corners, weights):
-    """The weighted mean. Corners without weight are left out, so that a NaN there does no harm."""
-    total = np.zeros((len(corners),) + values.shape[1:])
-    for k in range(3):
-        weight = weights[:, k].astype(np.float64).reshape((-1,) + (1,) * (values.ndim - 1))
-        with np.errstate(invalid="ignore"):
-            total += np.where(weight != 0, weight * values[corners[:, k]].astype(np.float64), 0)
+    """The weighted mean. Corners without weight are left out, so that a NaN there does no harm. The limits keep
+    a constant the same in spite of rounding."""
+    at = values[corners].astype(np.float64)
+    weights = weights.reshape(weights.shape + (1,) * (values.ndim - 1))
+    with np.errstate(invalid="ignore"):
+        total = np.where(weights != 0, weights * at, 0).sum(axis=1)
+    total = np.clip(total, np.fmin.reduce(at, axis=1), np.fmax.reduce(at, axis=1))
     if values.dtype == np.uint8:
         return np.clip(np.floor(total + 0.5), 0, 255).astype(np.uint8)
     return total.astype(values.dtype, copy=False)
@@ -168,8 +165,8 @@ class Samples:
         Coordinates, in the unit and the dtype of the input.
     face_index : ndarray (n,)
         The input face of each point.
-    barycentric : ndarray (n, 3) of float32
-        The weights of the corners of the input face.
+    barycentric : ndarray (n, 3) of float64
+        The weights of the corners of the input face; the sum is 1.
     radius : ndarray (n,) of float64
         The disk radius of each point, in the unit of the input.
     disk_radius : float

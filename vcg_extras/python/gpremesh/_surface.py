@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
 import threading
 
 from . import _arrays, _core
-from ._api import remesh_mesh
+from ._api import as_list, remesh_mesh
 from ._table import with_parameters
 
 
@@ -18,7 +19,7 @@ class Surface:
     Notes
     -----
     A Surface saves time with many sizes, presets or seeds. It keeps about 80 bytes for each triangle.
-    A run waits for the run of another thread.
+    A run waits for the run of another thread. A copy, also by pickle, is prepared anew.
 
     Examples
     --------
@@ -32,18 +33,25 @@ class Surface:
     """
 
     def __init__(self, vertices, faces):
-        self._mesh = _arrays.Mesh(vertices, faces)
+        self.__setstate__(_arrays.Mesh(vertices, faces))
+
+    def __getstate__(self):
+        return self._mesh
+
+    def __setstate__(self, mesh):
+        self._mesh = mesh
         self._prepared = _core.PreparedSurface()
         self._one_run = threading.Lock()
+        self._runner = None
 
     @with_parameters("remesh")
     def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
-               regions=None, progress=None, **parameters):
+               regions=None, sizes=None, periodic=None, progress=None, **parameters):
         """Remeshes the surface: the same bytes as from `gpremesh.remesh`, in less time.
 
         Parameters
         ----------
-        selected, region, feature_edges, uv, image, regions, progress
+        selected, region, feature_edges, uv, image, regions, sizes, periodic, progress
             As for `gpremesh.remesh`. Each run may have other values.
         PARAMETERS
 
@@ -56,11 +64,25 @@ class Surface:
         ------
         ValueError, gpremesh.Error, KeyboardInterrupt
             As `gpremesh.remesh`.
+        RuntimeError
+            If the progress function of a run starts another run.
         """
-        with self._one_run:
+        with self._alone():
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
                                region=region, feature_edges=feature_edges, uv=uv, image=image,
-                               regions=regions)
+                               regions=regions, sizes=sizes, periodic=periodic)
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """Waits for the run of another thread. A run inside of a run of the same thread would wait forever."""
+        if self._runner == threading.get_ident():
+            raise RuntimeError("The progress function of a run cannot remesh the same Surface; make another Surface.")
+        with self._one_run:
+            self._runner = threading.get_ident()
+            try:
+                yield
+            finally:
+                self._runner = None
 
 
 def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None, progress=None, **parameters):
@@ -100,7 +122,7 @@ def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None,
     [500, 250, 125]
     """
     given = {"percent": percent, "vertex_count": vertex_count, "face_count": face_count}
-    given = {name: list(sizes) for name, sizes in given.items() if sizes is not None}
+    given = {name: as_list(name, sizes) for name, sizes in given.items() if sizes is not None}
     if len(given) != 1 or not all(given.values()):
         raise ValueError("levels needs one of percent, vertex_count and face_count, with a size for each level.")
     (name, sizes), = given.items()

@@ -29,10 +29,12 @@ def type_text(entry):
     return _TYPES[entry["kind"]].__name__ + (" or 'auto'" if entry["default"] == "auto" else "")
 
 
-def documentation(tool):
-    """The parameters of a tool, as a section of a docstring."""
+def documentation(tool, names):
+    """The parameters of a tool with these names, as a section of a docstring."""
     lines = []
     for entry in _core.parameters(tool):
+        if entry["name"] not in names:
+            continue
         default = "optional" if entry["default"] is None else f"default {entry['default']!r}"
         lines.append(f"{entry['name']} : {type_text(entry)}, {default}")
         lines.append(textwrap.fill(entry["help"], 96, initial_indent=_INDENT, subsequent_indent=_INDENT))
@@ -41,8 +43,8 @@ def documentation(tool):
 
 def with_parameters(tool):
     """Decorates a function with the parameters of a tool as `**parameters`: the signature and the docstring, at the
-    line PARAMETERS, name each parameter. Unknown parameters raise a TypeError."""
-    names = [entry["name"] for entry in _core.parameters(tool)]
+    line PARAMETERS, name each parameter that is no argument of the function itself. Unknown parameters raise a
+    TypeError."""
 
     def decorate(function):
         def call(*args, **keywords):
@@ -51,17 +53,19 @@ def with_parameters(tool):
                     raise TypeError(f"{function.__name__}() has no parameter {keyword!r}")
             return function(*args, **keywords)
 
-        own = [p for p in inspect.signature(function).parameters.values() if p.kind != p.VAR_KEYWORD]
-        accepted = {p.name for p in own} | set(names)
-        of_table = [
-            inspect.Parameter(entry["name"], inspect.Parameter.KEYWORD_ONLY, default=entry["default"],
-                              annotation=type_of(entry))
+        own = {p.name: p for p in inspect.signature(function).parameters.values() if p.kind != p.VAR_KEYWORD}
+        of_table = {
+            entry["name"]: inspect.Parameter(entry["name"], inspect.Parameter.KEYWORD_ONLY, default=entry["default"],
+                                             annotation=type_of(entry))
             for entry in _core.parameters(tool)
-        ]
+        }
+        for name in own.keys() & of_table.keys():
+            own[name] = own[name].replace(annotation=of_table.pop(name).annotation)
+        accepted = {**own, **of_table}
         call.__name__ = call.__qualname__ = function.__name__
         call.__module__ = function.__module__
-        call.__doc__ = inspect.cleandoc(function.__doc__).replace("PARAMETERS", documentation(tool))
-        call.__signature__ = inspect.Signature(own + of_table)
+        call.__doc__ = inspect.cleandoc(function.__doc__).replace("PARAMETERS", documentation(tool, of_table))
+        call.__signature__ = inspect.Signature(list(accepted.values()))
         return call
 
     return decorate

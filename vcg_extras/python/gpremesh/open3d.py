@@ -39,10 +39,12 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
 
     Raises
     ------
-    ValueError, gpremesh.Error, KeyboardInterrupt
+    ValueError, TypeError, gpremesh.Error, KeyboardInterrupt
         As `gpremesh.remesh`.
     """
-    if isinstance(mesh, open3d.t.geometry.TriangleMesh):
+    tensors = open3d.t.geometry.TriangleMesh
+    _api.check_mesh_of_host(mesh, (open3d.geometry.TriangleMesh, tensors), parameters)
+    if isinstance(mesh, tensors):
         return _remesh_tensors(mesh, vertex_count, regions, parameters)
     return _remesh_plain(mesh, vertex_count, regions, parameters)
 
@@ -93,6 +95,8 @@ def _numpy(tensor):
 
 
 def _remesh_tensors(mesh, vertex_count, regions, parameters):
+    if _POSITIONS not in mesh.vertex or _INDICES not in mesh.triangle:
+        raise ValueError("The mesh has no vertices or no triangles.")
     has_texture = _TEXTURE in mesh.triangle
     columns = {name: _column(_numpy(tensor)) for name, tensor in mesh.triangle.items() if name != _INDICES}
     result = _api.remesh(_numpy(mesh.vertex[_POSITIONS]), _numpy(mesh.triangle[_INDICES]),

@@ -62,6 +62,7 @@ class Accessor:
             As `gpremesh.remesh`.
         """
         mesh = self._mesh
+        _api.check_mesh_of_host(mesh, (pyvista.PolyData,), parameters)
         texture = mesh.active_texture_coordinates
         result = _api.remesh(np.asarray(mesh.points), _faces(mesh), vertex_count=vertex_count,
                              uv=None if texture is None else np.asarray(texture)[:, :2],
@@ -78,9 +79,12 @@ class Accessor:
             remeshed.cell_data["region"] = result.regions
         remeshed.field_data.update(mesh.field_data)
         if uv is not None:
-            remeshed.active_texture_coordinates = uv
+            name = mesh.point_data.active_texture_coordinates_name
+            remeshed.point_data[name] = uv
+            remeshed.point_data.active_texture_coordinates_name = name
         if mesh.active_scalars_name in remeshed.array_names:
-            remeshed.set_active_scalars(mesh.active_scalars_name)
+            of = mesh.active_scalars_info.association.name.lower()
+            remeshed.set_active_scalars(mesh.active_scalars_name, preference=of)
         return remeshed
 
     def _carry_point_data(self, result, vertex_index, remeshed):

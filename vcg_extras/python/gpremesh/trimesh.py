@@ -33,20 +33,18 @@ def _columns_of_faces(mesh):
     return {**mesh.face_attributes, **({} if materials is None else {"material": materials})}
 
 
-def _carry_colours(mesh, result, remeshed):
+def _carry_visual(mesh, result, remeshed, uv):
     if mesh.visual.kind == "vertex":
         remeshed.visual.vertex_colors = result.transfer(mesh.visual.vertex_colors, "vertex")
     elif mesh.visual.kind == "face":
         remeshed.visual.face_colors = result.transfer(mesh.visual.face_colors, "face")
-
-
-def _carry_texture(mesh, result, remeshed, uv):
-    materials = _materials(mesh)
-    remeshed.visual = trimesh.visual.TextureVisuals(
-        uv=uv,
-        material=copy.deepcopy(mesh.visual.material),
-        face_materials=None if materials is None else result.transfer(materials, "face"),
-    )
+    elif mesh.visual.kind == "texture":  # a material may have no texture coordinates
+        materials = _materials(mesh)
+        remeshed.visual = trimesh.visual.TextureVisuals(
+            uv=uv,
+            material=copy.deepcopy(mesh.visual.material),
+            face_materials=None if materials is None else result.transfer(materials, "face"),
+        )
 
 
 def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
@@ -55,7 +53,7 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     Parameters
     ----------
     mesh : trimesh.Trimesh
-        The mesh is not changed.
+        The mesh is not changed. `scene.to_mesh()` makes a mesh of a scene.
     vertex_count : int, optional
         How many vertices the result has. Along the seams of a texture there are copies beyond that, as
         trimesh has one texture coordinate for each vertex.
@@ -71,14 +69,15 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
     Returns
     -------
     trimesh.Trimesh
-        The result, with the vertex or face colours, the texture, the attributes of vertices and faces, and the
-        metadata of `mesh`.
+        The result, with the vertex or face colours, the material and texture, the attributes of vertices and
+        faces, the density and the metadata of `mesh`.
 
     Raises
     ------
-    ValueError, gpremesh.Error, KeyboardInterrupt
+    ValueError, TypeError, gpremesh.Error, KeyboardInterrupt
         As `gpremesh.remesh`.
     """
+    _api.check_mesh_of_host(mesh, (trimesh.Trimesh,), parameters)
     texture = _texture(mesh)
     result = _api.remesh(mesh.vertices, mesh.faces, vertex_count=vertex_count, uv=texture,
                          regions=_regions.find(_columns_of_faces(mesh), regions), **parameters)
@@ -92,8 +91,7 @@ def remesh(mesh, vertex_count=None, *, regions=None, **parameters):
         face_attributes=_attributes(result, "face", mesh.face_attributes))
     if _regions.is_array(regions):
         remeshed.face_attributes["region"] = result.regions
-    if texture is None:
-        _carry_colours(mesh, result, remeshed)
-    else:
-        _carry_texture(mesh, result, remeshed, uv)
+    _carry_visual(mesh, result, remeshed, uv)
+    if "density" in mesh._data.data:  # mesh.density computes the volume
+        remeshed.density = mesh.density
     return remeshed
