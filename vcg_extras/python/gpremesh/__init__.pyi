@@ -150,7 +150,8 @@ class FileMesh:
             lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
             the steps for regularity; one step raises each vertex over its neighbours in place of the
             fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
-            vertices is right to a tenth only. A sampling is the same with default and fast.
+            vertices is not exact: about a tenth off on closed surfaces, more with borders and many
+            components; a note tells the difference. A sampling is the same with default and fast.
         adapt : float or 'auto', default 'auto'
             Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
             the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
@@ -357,10 +358,12 @@ class Surface:
         selected, region, feature_edges, uv, image, regions, sizes, periodic, progress
             As for `gpremesh.remesh`. Each run may have other values.
         vertex_count : int, optional
-            The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
-            the topology needs more vertices, the run is refused, and the message names the smallest
-            possible number. If only the selected faces are remeshed, the number counts the vertices of
-            this part.
+            The number of vertices of the result: exact for a remeshing. A sampling is about a tenth off
+            on closed surfaces with some hundred vertices, and more with fewer vertices, with a varying
+            density, and if borders, components or feature lines need samples of their own; a note tells
+            the difference. If the topology needs more vertices, the run is refused, and the message
+            names the smallest possible number. If only the selected faces are remeshed, the number
+            counts the vertices of this part.
         face_count : int, optional
             The exact number of faces of the result. A closed surface has an even number, about twice
             the number of vertices. A surface with a border can have any number, unless all border
@@ -385,7 +388,8 @@ class Surface:
             lines leave their curves by at most 8 % of an edge. fast: less than half the time, without
             the steps for regularity; one step raises each vertex over its neighbours in place of the
             fit. paper: each stage as in the paper; every vertex stays on the surface, and the number of
-            vertices is right to a tenth only. A sampling is the same with default and fast.
+            vertices is not exact: about a tenth off on closed surfaces, more with borders and many
+            components; a note tells the difference. A sampling is the same with default and fast.
         adapt : float or 'auto', default 'auto'
             Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
             the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
