@@ -468,6 +468,8 @@ MUTANTS = [
     ("records that a walk leads away", "surface/walk.cpp",
      "if (squaredLength(place - record.point.position) <= squaredLength(step)) return;", "return;"),
     ("the end of an open curve", "surface/curve.h", "(c.isClosed ? 3 : 1) * c.pointNum()", "3 * c.pointNum()"),
+    ("rims of pins are no noise", "features/crease_lines.cpp",
+     "line.size() >= clearEdgeNum || ", ""),
     ("seam of a selection", "output/part_joining.cpp",
      "if (isOnSeam_[v]) return", "if (false) return"),
     ("a seam that does not fit", "output/part_joining.cpp",

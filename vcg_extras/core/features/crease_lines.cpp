@@ -18,8 +18,10 @@ namespace gpr {
 
 namespace {
 
-/// A connected set of lines shorter than this, in mean edges, is noise.
-constexpr float clearLength = 4;
+/// A connected set of lines shorter than this, in mean edges, with fewer edges than this, is noise.
+/// On a part with long needles, the rim of a pin of 60 edges is shorter than three mean edges.
+constexpr float       clearLength  = 4;
+constexpr std::size_t clearEdgeNum = 8;
 /// Least share of the sharp length that is clear of noise: CAD models have 0.77 and more, scans up
 /// to 0.47.
 constexpr float clearShare = 0.7f;
@@ -130,9 +132,10 @@ private:
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
 		if (areNoise(sharp, isClear)) return true;
-		const float            least = clearLength * meanEdge();
-		const std::vector<int> longOnes =
-			edgesOfLines([&](const std::vector<int>& line) { return lengthOf(line) >= least; });
+		const float            least    = clearLength * meanEdge();
+		const std::vector<int> longOnes = edgesOfLines([&](const std::vector<int>& line) {
+			return line.size() >= clearEdgeNum || lengthOf(line) >= least;
+		});
 		return areNoise(sharp, [&](int h) { return placeIn(longOnes, h) >= 0 && isClear(h); });
 	}
 
