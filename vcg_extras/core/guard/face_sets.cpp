@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_sets.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/sparse_array.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -27,23 +27,24 @@ std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int ring
 
 std::vector<int> facesBetween(const HalfEdgeMesh& m, const std::vector<int>& vertices)
 {
-	// A face comes once for each corner among the vertices: three times if it lies between.
-	std::vector<int> faces;
-	for (int v : vertices)
-		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
-	std::sort(faces.begin(), faces.end());
-	std::size_t num = 0;
-	for (std::size_t i = 2; i < faces.size(); ++i) {
-		if (faces[i - 2] == faces[i]) faces[num++] = faces[i];
+	const SparseArray<int> place = placesIn(vertices, m.vertexNum);
+	std::vector<int>       faces;
+	for (std::size_t i = 0; i < vertices.size(); ++i) {
+		// Each face once, from its corner with the first place.
+		const auto isLater = [&](int v) { return place[v] > int(i); };
+		forEachOutgoing(m, vertices[i], [&](int h) {
+			if (isLater(m.target(h)) && isLater(m.apex(h))) faces.push_back(h / 3);
+		});
 	}
-	faces.resize(num);
+	std::sort(faces.begin(), faces.end());
 	return faces;
 }
 
 HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
 						const std::vector<int>& vertices)
 {
-	HalfEdgeMesh to;
+	const SparseArray<int> place = placesIn(vertices, from.vertexNum);
+	HalfEdgeMesh           to;
 	to.vertexNum     = int(vertices.size());
 	to.faceNum       = int(faces.size());
 	to.meetsAtPlaces = from.meetsAtPlaces;
@@ -54,7 +55,7 @@ HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
 	}
 	for (int h = 0; h < to.halfEdgeNum(); ++h) {
 		const int v    = from.origin[3 * faces[std::size_t(h / 3)] + h % 3];
-		to.origin[h]   = placeIn(vertices, v);
+		to.origin[h]   = place[v];
 		to.opposite[h] = -1;
 	}
 	return to;

@@ -4,6 +4,7 @@
 
 #include "face_sets.h"
 
+#include <vcg_extras/core/base/sparse_array.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <unordered_map>
 #include <utility>
 
 namespace gpr {
@@ -37,7 +37,7 @@ public:
 	LocalCells(const Surface& surface, const ResultMesh& result, const std::vector<PatchRole>& role,
 			   float reach, std::size_t mostReached, Workers& workers) :
 			m_(surface.mesh),
-			mostReached_(mostReached)
+			mostReached_(mostReached), label_(m_.vertexNum, notSeen)
 	{
 		std::vector<float> most(role.size(), 0);
 		for (std::size_t v = 0; v < role.size(); ++v) {
@@ -52,7 +52,7 @@ public:
 		run(most, workers);
 	}
 
-	int                     labelOf(int v) const { return label_.at(v); }
+	int                     labelOf(int v) const { return label_[v]; }
 	const std::vector<int>& reached() const { return reached_; }
 
 private:
@@ -65,12 +65,12 @@ private:
 			return vertex != o.vertex ? vertex > o.vertex : label > o.label;
 		}
 	};
-	static constexpr int         outside = -1;
-	const HalfEdgeMesh&          m_;
-	std::size_t                  mostReached_;
-	std::unordered_map<int, int> label_; ///< of reached vertices of the input
-	std::vector<int>             reached_;
-	std::priority_queue<Entry>   front_;
+	static constexpr int       notSeen = -1, outside = -2;
+	const HalfEdgeMesh&        m_;
+	std::size_t                mostReached_;
+	SparseArray<int>           label_; ///< per vertex of the input
+	std::vector<int>           reached_;
+	std::priority_queue<Entry> front_;
 
 	void push(float distance, int vertex, int label) { front_.push({distance, vertex, label}); }
 
@@ -83,10 +83,12 @@ private:
 			// A vertex too far from its nearest vertex of the result belongs to no cell, so that no
 			// other cell leaks out past it.
 			const int label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
-			if (!label_.emplace(e.vertex, label).second || label == outside) continue;
+			if (label_[e.vertex] != notSeen) continue;
+			label_.set(e.vertex, label);
+			if (label == outside) continue;
 			reached_.push_back(e.vertex);
 			forEachNeighbour(m_, e.vertex, [&](int w) {
-				if (label_.count(w) != 0) return;
+				if (label_[w] != notSeen) return;
 				push(e.distance + length(m_.position[w] - m_.position[e.vertex]), w, e.label);
 			});
 		}

@@ -7,7 +7,6 @@
 #include "indexed_mesh.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
-#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh_view.h>
 
 #include <algorithm>
@@ -69,18 +68,18 @@ void forEachEdge(const Sides& sides, const Visit& visit)
 
 /// Fills opposite and outgoing of a mesh with room for both; the mesh is given by its origins, and
 /// outgoing is -1 for vertices in no face. isPair(sides, num): whether the sides of an edge are the
-/// two halves of an inner edge; else the sides are border. Cost: O(F log F), serial; polls.
+/// two halves of an inner edge; else the sides are border. Cost: linear, parallel in part.
 template <class IsPair>
 void linkFaces(HalfEdgeMesh& m, Workers& workers, const IsPair& isPair)
 {
-	std::vector<EdgeSide> sides;
-	sides.reserve(std::size_t(m.halfEdgeNum()));
 	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		sides.push_back(edgeSide(m.origin[h], m.target(h), h));
 		m.opposite[h]           = -1;
 		m.outgoing[m.origin[h]] = h;
 	}
-	sortPolled(sides.begin(), sides.end(), workers);
+	const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
+		std::size_t(m.halfEdgeNum()), std::size_t(m.vertexNum),
+		[&](int h) { return edgeSide(m.origin[h], m.target(h), h); },
+		[](const EdgeSide& s) { return s.low; }, workers);
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		if (!isPair(&sides[begin], end - begin)) return;
 		m.opposite[sides[begin].halfEdge]     = sides[begin + 1].halfEdge;
