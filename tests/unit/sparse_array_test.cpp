@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/random_source.h>
-#include <vcg_extras/core/base/sparse_array.h>
+#include <vcg_extras/core/guard/sparse_array.h>
 
 #include <gtest/gtest.h>
 #include <map>

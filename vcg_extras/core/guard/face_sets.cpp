@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_sets.h"
 
-#include <vcg_extras/core/base/sparse_array.h>
+#include "sparse_array.h"
+
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>

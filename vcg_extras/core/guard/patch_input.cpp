@@ -3,8 +3,8 @@
 #include "patch_input.h"
 
 #include "face_sets.h"
+#include "sparse_array.h"
 
-#include <vcg_extras/core/base/sparse_array.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>

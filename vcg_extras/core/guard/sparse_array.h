@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_BASE_SPARSE_ARRAY_H
-#define VCG_EXTRAS_CORE_BASE_SPARSE_ARRAY_H
+#ifndef VCG_EXTRAS_CORE_GUARD_SPARSE_ARRAY_H
+#define VCG_EXTRAS_CORE_GUARD_SPARSE_ARRAY_H
 
 #include <array>
 #include <cstddef>
