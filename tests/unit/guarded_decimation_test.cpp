@@ -94,6 +94,20 @@ TEST(GuardedDecimation, ReachesTheCountWithoutContacts)
 	}
 }
 
+/// Flat walls a thousandth of an edge apart stay apart without tests of the flat collapses.
+TEST(GuardedDecimation, NeedsNoTestOfCollapsesOnFlatFaces)
+{
+	Workers workers(2, nullptr);
+	for (const Wanted& wanted : thinShapes()) {
+		SCOPED_TRACE(wanted.name);
+		GuardedMesh     g(halfEdgesOf(wanted.mesh), false);
+		GuardedSettings settings = settingsFor(wanted.mesh, wanted.vertexNum);
+		settings.untested        = 1e-5;
+		EXPECT_TRUE(decimateGuarded(settings, g, workers));
+		EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	}
+}
+
 TEST(GuardedRelaxation, TakesNoVertexOfTheInputFartherOff)
 {
 	Workers workers(2, nullptr);

@@ -310,7 +310,9 @@ private:
 			const Vec3f place = places.at[std::size_t(i)].second;
 			if (isTooFar(merge, places.at[std::size_t(i)].first)) return;
 			if (!makeTriangles(merge, place)) continue;
-			if (!isForced_ && !guard_->allows(made_, gone_)) continue;
+			if (!isForced_ && !isUntested(merge, places.at[std::size_t(i)].first) &&
+				!guard_->allows(made_, gone_))
+				continue;
 			collapseTo(merge, place);
 			return;
 		}
@@ -329,10 +331,21 @@ private:
 		return borderNeighbour(m_, merge.from, true) == merge.to;
 	}
 
-	/// Whether a place is too far by the quadrics, which are weighted by area.
 	bool isTooFar(const Merge& merge, double squaredByArea) const
 	{
-		const double most = double(boundsOf(merge).distance) * settings_.idealEdge;
+		return isBeyond(double(boundsOf(merge).distance), merge, squaredByArea);
+	}
+
+	bool isUntested(const Merge& merge, double squaredByArea) const
+	{
+		return settings_.untested > 0 && !isBeyond(settings_.untested, merge, squaredByArea);
+	}
+
+	/// Whether a place is farther than a distance, in edges, by the quadrics, which are weighted by
+	/// area.
+	bool isBeyond(double distance, const Merge& merge, double squaredByArea) const
+	{
+		const double most = distance * settings_.idealEdge;
 		const float  area =
 			g_.vertex[std::size_t(merge.from)].area + g_.vertex[std::size_t(merge.to)].area;
 		return squaredByArea > most * most * double(area);

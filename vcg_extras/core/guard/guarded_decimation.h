@@ -66,6 +66,9 @@ struct GuardedSettings {
 	bool keepsBorder = false;
 	/// Longer edges are not collapsed, working units.
 	double longestEdge = std::numeric_limits<double>::infinity();
+	/// A collapse that moves the surface by less than this, in edges, needs no test for contacts.
+	/// For callers that test the result; 0: every collapse is tested.
+	double untested = 0;
 };
 
 /// Collapses edges until the mesh has targetNum vertices, by ascending cost: the squared distance

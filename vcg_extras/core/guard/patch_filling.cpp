@@ -18,6 +18,9 @@ namespace {
 constexpr int ringsRelaxed = 2;
 /// Weight of an edge's length in patches, against the distance from the input.
 constexpr double patchLengthWeight = 0.3;
+/// A collapse with a smaller move, in edges, is not tested for contacts, as most collapses on flat
+/// faces: the rounding of coordinates moves as far. Whoever takes a patch tests the patch.
+constexpr double untestedMove = 1e-5;
 
 /// Number of vertex v in the result, or -1 inside patches.
 int oldVertex(const RefilledMesh& made, int v)
@@ -84,8 +87,9 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 	if (!refillPatches(making_.surface, result_, making_.kept, marked, workers_, refilled_,
 					   hasRoom))
 		return false;
-	GuardedMesh&          guarded  = *refilled_.guarded;
-	const GuardedSettings settings = settingsFor(making_, result_, patchLengthWeight);
+	GuardedMesh&    guarded  = *refilled_.guarded;
+	GuardedSettings settings = settingsFor(making_, result_, patchLengthWeight);
+	settings.untested        = untestedMove;
 	// A patch enclosed by few border cells goes to these cells, so a small patch may end with fewer
 	// vertices than before.
 	if (guarded.mesh.vertexNum < settings.targetNum ||
