@@ -91,8 +91,7 @@ Parameter qualitySizes()
 					 "Use of the vertex quality as wanted edge length. off: no use. exact: "
 					 "the quality is the length in mesh units, and decides the number of "
 					 "vertices; no other size may be given. scaled: one factor scales all lengths "
-					 "to the wanted number of "
-					 "vertices or other size. The quality must be above 0.",
+					 "to the wanted number of vertices or other size. The quality must be above 0.",
 					 {"off", "exact", "scaled"});
 }
 

@@ -119,7 +119,7 @@ TEST_F(Levels, OfOneFileComeFromFineToCoarse)
 	EXPECT_EQ(written("l2_2.ply").points.size(), 300u);
 }
 
-/// A wavy square with the size and the group of each vertex, and with two regions.
+/// A flat square with the size and the group of each vertex, and with two regions.
 std::string squareWithValues()
 {
 	const TestMesh mesh = grid(20);

@@ -94,8 +94,8 @@ TEST(GuardedDecimation, ReachesTheCountWithoutContacts)
 	}
 }
 
-/// Flat walls a thousandth of an edge apart stay apart without tests of the flat collapses.
-TEST(GuardedDecimation, NeedsNoTestOfCollapsesOnFlatFaces)
+/// Walls a thousandth of an edge apart stay apart without tests of the collapses in a plane.
+TEST(GuardedDecimation, NeedsNoTestOfCollapsesInAPlane)
 {
 	Workers workers(2, nullptr);
 	for (const Wanted& wanted : thinShapes()) {

@@ -18,8 +18,9 @@ namespace gpr {
 
 namespace {
 
-/// A connected set of lines shorter than this, in mean edges, with fewer edges than this, is noise.
-/// On a part with long needles, the rim of a pin of 60 edges is shorter than three mean edges.
+/// A connected set of lines is noise if the set is shorter than clearLength mean edges and has
+/// fewer edges than clearEdgeNum. The length is not enough: on a part with long needles, the rim of
+/// a pin of 60 edges is shorter than three mean edges.
 constexpr float       clearLength  = 4;
 constexpr std::size_t clearEdgeNum = 8;
 /// Least share of the sharp length that is clear of noise: CAD models have 0.77 and more, scans up

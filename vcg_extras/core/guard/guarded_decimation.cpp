@@ -307,12 +307,11 @@ private:
 		collectFaces(merge);
 		const Places places = placesOf(merge);
 		for (int i = 0; i < places.num; ++i) {
-			const Vec3f place = places.at[std::size_t(i)].second;
-			if (isTooFar(merge, places.at[std::size_t(i)].first)) return;
+			const auto& [squaredByArea, place] = places.at[std::size_t(i)];
+			if (isTooFar(merge, squaredByArea)) return;
 			if (!makeTriangles(merge, place)) continue;
-			if (!isForced_ && !isUntested(merge, places.at[std::size_t(i)].first) &&
-				!guard_->allows(made_, gone_))
-				continue;
+			const bool isTested = !isForced_ && !isUntested(merge, squaredByArea);
+			if (isTested && !guard_->allows(made_, gone_)) continue;
 			collapseTo(merge, place);
 			return;
 		}

@@ -18,8 +18,9 @@ namespace {
 constexpr int ringsRelaxed = 2;
 /// Weight of an edge's length in patches, against the distance from the input.
 constexpr double patchLengthWeight = 0.3;
-/// A collapse with a smaller move, in edges, is not tested for contacts, as most collapses on flat
-/// faces: the rounding of coordinates moves as far. Whoever takes a patch tests the patch.
+/// A collapse with a smaller move, in edges, is not tested for contacts: the rounding of
+/// coordinates moves as far. Most collapses in a plane are such. Rounds::isBetter tests the whole
+/// patch.
 constexpr double untestedMove = 1e-5;
 
 /// Number of vertex v in the result, or -1 inside patches.

@@ -16,7 +16,7 @@ namespace {
 /// Above this number of vertices, a few more vertices do not change whether every triangle has an
 /// area.
 constexpr std::int64_t fewVertices = 64;
-/// A wish below the smallest count takes the smallest count and this part of the count.
+/// A wish below the smallest count gets a thirty-second more than the smallest count.
 constexpr std::int64_t partForShape = 32;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
@@ -517,7 +517,7 @@ std::string Plan::byTopology()
 }
 
 /// With the smallest count, no vertex is left for the shape of borders between many holes. A few
-/// vertices more keep the shape: on a terrain with 1,700 holes a thirtieth of the distance.
+/// vertices more keep the shape: on a terrain with 1,700 holes the distance falls to a thirtieth.
 std::string Plan::raiseTo(const RelaxationFacts& smallest)
 {
 	attempts_.isRaised = true;
