@@ -152,8 +152,9 @@ private:
 	/// -1 if there is no half-edge, or its face is split.
 	int halfEdgeName(int h) const
 	{
-		const int name = h < 0 ? -1 : faceName_[h / 3];
-		return name < 0 ? -1 : 3 * name + h % 3;
+		const int f    = int(unsigned(h) / 3);
+		const int name = h < 0 ? -1 : faceName_[f];
+		return name < 0 ? -1 : h + 3 * (name - f);
 	}
 
 	// ---- arrays
@@ -182,14 +183,16 @@ private:
 	}
 
 	/// Moves the `width` values of each face to its new name.
-	template <class NewValue>
-	void moveOfFaces(int width, Buffer<int>& values, const NewValue& newValue)
+	template <int width, class NewValue>
+	void moveOfFaces(Buffer<int>& values, const NewValue& newValue)
 	{
-		Buffer<int> moved(std::size_t(width) * faceNum());
+		Buffer<int> moved(width * faceNum());
 		workers_.forEach(faceName_.size(), [&](int f) {
 			if (faceName_[f] < 0) return;
+			const int* const from = &values[width * f];
+			int* const       to   = &moved[width * faceName_[f]];
 			for (int k = 0; k < width; ++k)
-				moved[width * faceName_[f] + k] = newValue(values[width * f + k]);
+				to[k] = newValue(from[k]);
 		});
 		values.swap(moved);
 	}
@@ -198,10 +201,10 @@ private:
 	/// run's memory. Returns the half-edges whose neighbours were split.
 	std::vector<int> moveFaces()
 	{
-		moveOfFaces(3, m_.origin, [&](int v) { return vertexName_[v]; });
-		moveOfFaces(1, s_.sourceFace, [](int source) { return source; });
+		moveOfFaces<3>(m_.origin, [&](int v) { return vertexName_[v]; });
+		moveOfFaces<1>(s_.sourceFace, [](int source) { return source; });
 		std::vector<int> open = findOpenHalfEdges();
-		moveOfFaces(3, m_.opposite, [&](int h) { return halfEdgeName(h); });
+		moveOfFaces<3>(m_.opposite, [&](int h) { return halfEdgeName(h); });
 		for (std::size_t i = 0; i < partName_.size(); ++i) {
 			const Face& part = split_.faces[i];
 			std::copy(part.corner, part.corner + 3, &m_.origin[3 * partName_[i]]);

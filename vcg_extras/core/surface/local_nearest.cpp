@@ -13,13 +13,14 @@ namespace {
 
 class Descent {
 public:
-	Descent(const HalfEdgeMesh& mesh, const Vec3f& p, const Vec3f& facing) :
-			m_(mesh), p_(p), facing_(facing), isAnyWay_(facing == Vec3f())
+	/// enough: a squared distance that ends the search.
+	Descent(const HalfEdgeMesh& mesh, const Vec3f& p, const Vec3f& facing, float enough) :
+			m_(mesh), p_(p), facing_(facing), isAnyWay_(facing == Vec3f()), enough_(enough)
 	{
 	}
 
 	const SurfacePoint& at() const { return at_; }
-	float               squared() const { return squared_; }
+	bool                isNear() const { return squared_ <= enough_; }
 
 	void tryFace(int f)
 	{
@@ -37,6 +38,7 @@ public:
 	{
 		const float before = squared_;
 		forEachOutgoing(m_, v, [&](int h) {
+			if (isNear()) return;
 			if (isAnyWay_ || !(dot(m_.faceCross(h / 3), facing_) < 0)) tryFace(h / 3);
 		});
 		return squared_ < before;
@@ -59,6 +61,7 @@ private:
 	const HalfEdgeMesh& m_;
 	Vec3f               p_, facing_;
 	bool                isAnyWay_; ///< faces of either side count
+	float               enough_;
 	SurfacePoint        at_;
 	float               squared_ = HUGE_VALF;
 };
@@ -88,11 +91,11 @@ int nearestVertex(const HalfEdgeMesh& m, int face, const Vec3f& p)
 Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
 {
 	constexpr int maxHops = 64;
-	Descent       descent(m, p, Vec3f());
+	Descent       descent(m, p, Vec3f(), enough);
 	descent.tryFace(face);
 	// First by vertices: a look at a vertex costs a tenth of a look at a face.
-	if (descent.squared() > enough) descent.tryRound(nearestVertex(m, face, p));
-	for (int i = 0; i < maxHops && descent.squared() > enough; ++i) {
+	if (!descent.isNear()) descent.tryRound(nearestVertex(m, face, p));
+	for (int i = 0; i < maxHops && !descent.isNear(); ++i) {
 		if (descent.isInside() || !descent.hop()) break;
 	}
 	face = descent.at().face;
@@ -101,7 +104,7 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 
 SurfacePoint nearestByDescent(const HalfEdgeMesh& m, int from, const Vec3f& p, const Vec3f& facing)
 {
-	Descent descent(m, p, facing);
+	Descent descent(m, p, facing, 0);
 	for (bool isNearer = descent.tryRound(from); isNearer;)
 		isNearer = descent.hop();
 	return descent.at();
