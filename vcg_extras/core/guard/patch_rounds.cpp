@@ -267,8 +267,11 @@ private:
 				filled.push_back(std::move(tries[i].filled));
 				continue;
 			}
-			patches[i].vertex = verticesOf(result_.mesh, tries[i].grown);
-			if (!tries[i].isFilled) ++patches[i].tries;
+			std::vector<int> grown = verticesOf(result_.mesh, tries[i].grown);
+			// A whole component cannot grow, so that every try would end as this one.
+			const bool isAll = grown == patches[i].vertex;
+			if (!tries[i].isFilled) patches[i].tries += isAll ? mostTries : 1;
+			patches[i].vertex = std::move(grown);
 			waiting_.push_back(std::move(patches[i]));
 		}
 		if (filled.empty()) return;

@@ -201,7 +201,9 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, Products& made)
 	findRegionOnSurface(run, made);
 	RemeshOptions      options = run.options;
 	const std::int64_t num     = decisions.spacedFor();
-	if (decisions.purpose == Purpose::Forecast) options.adapt = 0; // a forecast finds the sizes
+	// A forecast finds the sizes. By topology the disks would be as large as the surface.
+	if (decisions.purpose == Purpose::Forecast || decisions.way == Way::ByTopology)
+		options.adapt = 0;
 	const bool  hasLines = options.adapt > 0 && hasFeatureLines(run, decisions, made);
 	const float uniform =
 		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
