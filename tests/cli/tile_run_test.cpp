@@ -273,6 +273,43 @@ TEST_F(TileRun, AKilledRunGoesOnWhereItWas)
 	EXPECT_EQ(whole, content(path("out.ply")));
 }
 
+/// Only the files of the run leave its folder at the end.
+TEST_F(TileRun, FilesOfTheUserStayInItsFolder)
+{
+	const std::string mesh = binaryPly(torus(400), true, false);
+	std::filesystem::create_directory(path("run"));
+	put("run/letter.txt", "mine");
+	const std::string   in     = put("run/torus.ply", mesh);
+	const ProgramResult result = run({"remesh", in, path("run/out.ply"), "--vertices", "3000",
+									  "--memory", "45M", "--scratch", path("run"), "--quiet"},
+									 300);
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	EXPECT_EQ(content(path("run/letter.txt")), "mine");
+	EXPECT_TRUE(content(in) == mesh);
+	EXPECT_EQ(info(path("run/out.ply"))["input"]["vertices"], 3000);
+	const std::filesystem::directory_iterator left(path("run"));
+	EXPECT_EQ(std::distance(begin(left), end(left)), 3);
+}
+
+TEST_F(TileRun, NoFileOfTheUserHasANameOfItsFiles)
+{
+	const std::string mesh = binaryPly(torus(400), true, false);
+	const std::string in   = put("torus.ply", mesh);
+	std::filesystem::create_directory(path("run"));
+	const std::string part = put("run/part0.ply", mesh);
+	expectFailure(run({"tile", "plan", path("run"), in}), 2, "holds 'part0.ply'");
+	expectFailure(run({"tile", "plan", path("run"), part}), 2, "a name of the run's own files");
+	expectFailure(run({"remesh", in, path("run/joined.ply"), "--vertices", "3000", "--memory",
+					   "45M", "--scratch", path("run")}),
+				  2, "a name of the run's own files");
+	EXPECT_TRUE(content(part) == mesh);
+	std::filesystem::remove(part);
+	plan(in, {"--vertices", "3000"});
+	expectFailure(
+		run({"tile", "finish", path("run"), path("out.ply"), "--report", path("run/plan.json")}), 2,
+		"a name of the run's own files");
+}
+
 TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
 {
 	const std::string in   = put("square.ply", binaryPly(grid(150), true, true));
