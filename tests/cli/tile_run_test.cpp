@@ -322,6 +322,32 @@ TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
 	EXPECT_EQ(report()["result"]["precision"], "double");
 }
 
+/// The polyline of the border must not change in the last bits, where triangles of the result are
+/// hardly larger than triangles of the input.
+TEST_F(TileRun, AMatchedBorderHasTheBitsOfARunWithoutTiles)
+{
+	TestMesh mesh = grid(100);
+	for (auto& p : mesh.points)
+		p[2] = 0.1 * std::sin(7 * p[0]) * std::cos(5 * p[1]);
+	const auto borderOf = [](const TestMesh& of) {
+		std::vector<std::array<double, 3>> border;
+		for (const auto& p : of.points)
+			if (p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1) border.push_back(p);
+		std::sort(border.begin(), border.end());
+		return border;
+	};
+	const std::string              in      = put("square.ply", binaryPly(mesh, true, false));
+	const std::vector<std::string> options = {"--edge-length", "0.024", "--boundary", "match"};
+	const TestMesh                 tiled   = remeshedInTiles(in, options);
+	std::vector<std::string>       words   = {"remesh", in, path("whole.ply"), "--quiet"};
+	words.insert(words.end(), options.begin(), options.end());
+	ASSERT_EQ(run(words).exitCode, 0);
+	std::string    precision;
+	const TestMesh whole = parseWrittenPly(content(path("whole.ply")), precision);
+	EXPECT_GT(borderOf(whole).size(), 150u);
+	EXPECT_TRUE(borderOf(tiled) == borderOf(whole));
+}
+
 TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
 {
 	const auto [left, right] = halvesOfGrid(120);
@@ -531,6 +557,8 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 	expectFailure(run({"tile", "plan", path("run"), in, "--edge-length", "1%"}), 2, "percent");
 	expectFailure(run({"tile", "plan", path("run"), in, "--boundary", "keep"}), 2,
 				  "--boundary keep");
+	expectFailure(run({"tile", "plan", path("run"), in, "--drop-components-below", "9"}), 2,
+				  "--drop-components-below");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),
 				  4, "Ask for at most");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "700", "--memory", "5M"}), 4,

@@ -23,8 +23,10 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 
 class BorderSplitter {
 public:
-	BorderSplitter(double maxLength, InputMesh& mesh, std::vector<SharedName>& names) :
-			maxLength_(maxLength), mesh_(mesh), names_(names)
+	BorderSplitter(double maxLength, InputMesh& mesh, std::vector<SharedName>& names,
+				   bool sharedOnly) :
+			maxLength_(maxLength),
+			sharedOnly_(sharedOnly), mesh_(mesh), names_(names)
 	{
 	}
 
@@ -46,6 +48,7 @@ private:
 	};
 
 	double                   maxLength_;
+	bool                     sharedOnly_;
 	InputMesh&               mesh_;
 	std::vector<SharedName>& names_;
 	std::map<Edge, Points>   split_;
@@ -67,6 +70,7 @@ private:
 		std::vector<char> isEnd(mesh_.vertexNum(), 0);
 		for (const Edge& e : borderEdges(mesh_.view())) {
 			if (!(lengthOf(e.first, e.second) > maxLength_)) continue;
+			if (sharedOnly_ && !isShared(e)) continue;
 			addPoints(e);
 			isEnd[std::size_t(e.first)] = isEnd[std::size_t(e.second)] = 1;
 		}
@@ -80,6 +84,11 @@ private:
 		return faces;
 	}
 
+	bool isShared(const Edge& e) const
+	{
+		return names_[std::size_t(e.first)].isShared() && names_[std::size_t(e.second)].isShared();
+	}
+
 	/// Makes the points of an edge from the end with the lower name, so that all tiles compute
 	/// equal points.
 	void addPoints(const Edge& edge)
@@ -88,15 +97,14 @@ private:
 		if (!(pieces < mostPieces)) return; // not a number, or too many pieces
 		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
 		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
-		const bool       isShared = a.isShared() && b.isShared();
-		const bool       isTurned = isShared && b < a;
-		const std::int32_t from   = isTurned ? edge.second : edge.first;
-		const std::int32_t to     = isTurned ? edge.first : edge.second;
+		const bool       isNamed = isShared(edge), isTurned = isNamed && b < a;
+		const std::int32_t from = isTurned ? edge.second : edge.first;
+		const std::int32_t to   = isTurned ? edge.first : edge.second;
 		for (int i = 1; i < points.pieceNum; ++i) {
 			const int k = isTurned ? points.pieceNum - i : i; // the k-th point from `from`
 			addVertex(from, to, double(k) / points.pieceNum);
 			SharedName name;
-			if (isShared) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
+			if (isNamed) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
 			names_.push_back(name);
 		}
 		split_[edge] = points;
@@ -195,9 +203,10 @@ private:
 
 } // namespace
 
-void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names)
+void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names,
+						  bool sharedOnly)
 {
-	if (maxLength > 0) BorderSplitter(maxLength, mesh, names).run();
+	if (maxLength > 0) BorderSplitter(maxLength, mesh, names, sharedOnly).run();
 }
 
 std::vector<Edge> borderEdges(const MeshView& mesh)

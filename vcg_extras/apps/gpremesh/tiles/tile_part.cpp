@@ -50,7 +50,9 @@ public:
 			names_(readNames(folder.tileNames(tile)))
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
-		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_);
+		// A matched border depends on the polyline of the input, to the last bit.
+		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_,
+							 plan.options.boundary == BoundaryMode::Match);
 		border_  = borderEdges(mesh_.view());
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
