@@ -454,6 +454,33 @@ TEST_F(TileRun, TinyPiecesAreAsWithoutTiles)
 	expectAsWithoutTiles(put("pieces.ply", binaryPly(mesh, true, false)), "1500");
 }
 
+/// Faces that are repeated, also at the seams of the tiles and with long edges there.
+TEST_F(TileRun, RepeatedFacesLeaveNoHoles)
+{
+	TestMesh mesh = torus(60);
+	for (std::size_t f = 0; f < 7200; f += 7) {
+		const auto [a, b, c] = mesh.faces[f];
+		mesh.faces.push_back({b, c, a});
+	}
+	expectAsWithoutTiles(put("repeated.ply", binaryPly(mesh, true, false)), "2200");
+}
+
+/// The same without common vertices.
+TEST_F(TileRun, ASoupOfRepeatedFacesIsAsWithoutTiles)
+{
+	const TestMesh mesh = torus(60);
+	TestMesh       soup;
+	for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+		for (std::size_t again = 0; again < (i % 7 == 0 ? 2u : 1u); ++again) {
+			const int first = int(soup.points.size());
+			for (std::size_t k = 0; k < 3; ++k)
+				soup.points.push_back(mesh.points[std::size_t(mesh.faces[i][(k + again) % 3])]);
+			soup.faces.push_back({first, first + 1, first + 2});
+		}
+	}
+	expectAsWithoutTiles(put("soup.ply", binaryPly(soup, true, false)), "2200");
+}
+
 /// Boxes side by side with common walls: three or four faces at the edges of the walls. The surface
 /// does not tell which of these faces stay joined after a cut; the choice depends on the tiles.
 TEST_F(TileRun, FoamLosesNoWall)

@@ -50,9 +50,11 @@ public:
 			names_(readNames(folder.tileNames(tile)))
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
-		// A matched border depends on the polyline of the input, to the last bit.
+		// A matched border depends on the polyline of the input, to the last bit, and the engine
+		// joins the faces of a triangle soup, which has border edges only.
+		const bool isSoup = mesh_.vertexNum() == 3 * mesh_.faceNum();
 		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_,
-							 plan.options.boundary == BoundaryMode::Match);
+							 isSoup || plan.options.boundary == BoundaryMode::Match);
 		border_  = borderEdges(mesh_.view());
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
