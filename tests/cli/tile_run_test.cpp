@@ -465,20 +465,39 @@ TEST_F(TileRun, RepeatedFacesLeaveNoHoles)
 	expectAsWithoutTiles(put("repeated.ply", binaryPly(mesh, true, false)), "2200");
 }
 
-/// The same without common vertices.
-TEST_F(TileRun, ASoupOfRepeatedFacesIsAsWithoutTiles)
+/// Faces without common vertices: all faces of a mesh, and again each face with a number that is
+/// one below a multiple of `step`.
+TestMesh soupOf(const TestMesh& mesh, std::size_t step)
 {
-	const TestMesh mesh = torus(60);
-	TestMesh       soup;
-	for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-		for (std::size_t again = 0; again < (i % 7 == 0 ? 2u : 1u); ++again) {
+	TestMesh soup;
+	for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+		for (std::size_t again = 0; again < (f % step == step - 1 ? 2u : 1u); ++again) {
 			const int first = int(soup.points.size());
 			for (std::size_t k = 0; k < 3; ++k)
-				soup.points.push_back(mesh.points[std::size_t(mesh.faces[i][(k + again) % 3])]);
+				soup.points.push_back(mesh.points[std::size_t(mesh.faces[f][(k + again) % 3])]);
 			soup.faces.push_back({first, first + 1, first + 2});
 		}
 	}
-	expectAsWithoutTiles(put("soup.ply", binaryPly(soup, true, false)), "2200");
+	return soup;
+}
+
+TEST_F(TileRun, ASoupOfRepeatedFacesIsAsWithoutTiles)
+{
+	expectAsWithoutTiles(put("soup.ply", binaryPly(soupOf(torus(60), 7), true, false)), "2200");
+}
+
+/// With a single common vertex the engine no longer joins all, but sews the triangles; all tiles
+/// but one are soups.
+TEST_F(TileRun, TilesThatAreSoupsFitToATileThatIsNone)
+{
+	const TestMesh whole = torus(60);
+	TestMesh       mesh  = soupOf(whole, 1000000);
+	const int      first = whole.faces[0][0];
+	for (std::size_t f = 1; f < whole.faces.size(); ++f) {
+		for (std::size_t k = 0; k < 3; ++k)
+			if (whole.faces[f][k] == first) mesh.faces[f][k] = mesh.faces[0][0];
+	}
+	expectAsWithoutTiles(put("nearly.ply", binaryPly(mesh, true, false)), "2200");
 }
 
 /// Boxes side by side with common walls: three or four faces at the edges of the walls. The surface

@@ -51,10 +51,9 @@ public:
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
 		// A matched border depends on the polyline of the input, to the last bit, and the engine
-		// joins the faces of a triangle soup, which has border edges only.
-		const bool isSoup = mesh_.vertexNum() == 3 * mesh_.faceNum();
+		// joins the faces of a soup, which has border edges only.
 		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_,
-							 isSoup || plan.options.boundary == BoundaryMode::Match);
+							 split.isSoup() || plan.options.boundary == BoundaryMode::Match);
 		border_  = borderEdges(mesh_.view());
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
