@@ -116,11 +116,13 @@ protected:
 	}
 
 	/// The same topology, and as many vertices.
-	void expectAsWithoutTiles(const std::string& input, const std::string& vertexNum)
+	void expectAsWithoutTiles(const std::string& input, const std::string& vertexNum,
+							  std::vector<std::string> options = {})
 	{
-		remeshedInTiles(input, {"--vertices", vertexNum});
-		const ProgramResult whole =
-			run({"remesh", input, path("whole.ply"), "--vertices", vertexNum});
+		options.insert(options.end(), {"--vertices", vertexNum});
+		remeshedInTiles(input, options);
+		options.insert(options.begin(), {"remesh", input, path("whole.ply")});
+		const ProgramResult whole = run(options);
 		ASSERT_EQ(whole.exitCode, 0) << whole.err;
 		const Json tiled    = info(path("out.ply"))["input"],
 				   expected = info(path("whole.ply"))["input"];
@@ -511,6 +513,19 @@ TEST_F(TileRun, FoamLosesNoWall)
 	const Json   facts = info(path("out.ply"))["input"];
 	const double walls = 3 * 4 * 24 * 24;
 	EXPECT_NEAR(facts["area"].get<double>(), walls, 0.005 * walls);
+}
+
+/// With few and with many vertices: tiles that are condensed, and tiles that stay.
+TEST_F(TileRun, JunctionsAreKeptAsWithoutTiles)
+{
+	const std::string in = put("foam.ply", binaryPly(foam(2, 8), true, false));
+	for (const char* vertexNum : {"150", "700"}) {
+		std::filesystem::remove_all(path("run"));
+		expectAsWithoutTiles(in, vertexNum, {"--junctions", "keep"});
+		std::string precision;
+		EXPECT_EQ(mostFacesOfAnEdge(parseWrittenPly(content(path("out.ply")), precision)), 4)
+			<< vertexNum;
+	}
 }
 
 TEST_F(TileRun, AShareTooSmallForTheTopologyIsRaised)
