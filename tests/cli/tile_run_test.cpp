@@ -610,6 +610,17 @@ TEST_F(TileRun, DamagedFilesAreToldNotUsed)
 	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "damaged");
 }
 
+/// The same numbers of vertices and faces, but other properties.
+TEST_F(TileRun, APieceThatWasReplacedByAnotherIsRefused)
+{
+	const auto [left, right] = halvesOfGrid(20);
+	const std::string a      = put("left.ply", binaryPly(left, true, false));
+	const std::string b      = put("right.ply", binaryPly(right, true, false));
+	runStep({"plan", path("run"), a, b, "--vertices", "50", "--tiles", "2"});
+	put("right.ply", binaryPly(right, true, true)); // in doubles
+	expectFailure(run({"tile", "split", path("run")}), 3, "has changed since the plan was made");
+}
+
 TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 {
 	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));

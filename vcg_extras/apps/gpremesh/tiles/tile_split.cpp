@@ -179,7 +179,8 @@ private:
 			layouts.push_back(readRecordLayout(plan.inputs[i]));
 			const PlyRecordLayout& layout = layouts.back();
 			if (layout.vertices().count != plan.vertexNum[i] ||
-				layout.faces().count != plan.faceNum[i])
+				layout.faces().count != plan.faceNum[i] ||
+				!haveSameProperties(layout, layouts.front()))
 				failInput("'" + plan.inputs[i] + "' has changed since the plan was made.");
 		}
 		return layouts;
