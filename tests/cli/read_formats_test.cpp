@@ -218,6 +218,21 @@ TEST(StlReader, AttributeBytesAreTold)
 			  std::vector<std::string>{"colours or other data in attribute bytes of facets"});
 }
 
+/// Some writers count too few facets, or none until the end.
+TEST(StlReader, FacetsBehindTheCountAreTold)
+{
+	std::string file = binaryStl(sphere(2));
+	EXPECT_TRUE(gpr::app::readStl(file).notes.empty());
+	const std::size_t num = readStl(file).faceNum();
+	file += std::string(49, ' ');
+	EXPECT_TRUE(gpr::app::readStl(file).notes.empty());
+	file += std::string(51, ' ');
+	EXPECT_EQ(
+		gpr::app::readStl(file).notes,
+		std::vector<std::string>{"The STL file has 100 bytes behind the " + std::to_string(num) +
+								 " facets that its header promises; facets there were left out."});
+}
+
 TEST(StlReader, SeveralSolidsAndAMissingEnd)
 {
 	const std::string two = asciiStl(grid(1)) + asciiStl(moved(grid(1), 5, 0, 0));

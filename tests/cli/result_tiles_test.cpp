@@ -200,6 +200,25 @@ TEST_F(ResultTiles, ReplaceOlderTilesAndNothingElse)
 		EXPECT_EQ(name.find(".part"), std::string::npos) << name;
 }
 
+/// Without tiles.json, or with other names, files are not files of older tiles.
+TEST_F(ResultTiles, DoNotReplaceMeshesOfTheUser)
+{
+	const std::string mesh = binaryPly(sphere(12), true, false);
+	std::filesystem::create_directory(path("survey"));
+	const std::string in = put("survey/tile0.ply", mesh);
+	expectFailure(run({"remesh", in, path("survey"), "--tiles-out", "2"}), 2, "lies in the folder");
+	const std::string other = put("sphere.ply", mesh);
+	expectFailure(run({"remesh", other, path("survey"), "--tiles-out", "2"}), 1, "something else");
+	remesh(other, path("tiles"), {"--vertices", "200", "--tiles-out", "2"});
+	expectFailure(run({"remesh", other, path("tiles"), "--tiles-out", "2", "--report",
+					   path("tiles/report.json")}),
+				  2, "lies in the folder");
+	put("tiles/tile_of_mine.ply", mesh);
+	expectFailure(run({"remesh", other, path("tiles"), "--tiles-out", "2"}), 1, "something else");
+	EXPECT_TRUE(content(in) == mesh);
+	EXPECT_TRUE(content(path("tiles/tile_of_mine.ply")) == mesh);
+}
+
 TEST_F(ResultTiles, HaveNoNameOfAMesh)
 {
 	const std::string in = put("sphere.ply", binaryPly(sphere(12), true, false));

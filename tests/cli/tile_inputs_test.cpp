@@ -148,6 +148,11 @@ TEST_F(TileInputs, EachFormatGivesTheBytesThatABinaryPlyFileGives)
 	EXPECT_EQ(bytes, remeshed(put("text.ply", asciiPly(mesh))));
 	EXPECT_EQ(bytes, remeshed(put("big.ply", binaryPly(mesh, false, false))));
 	EXPECT_EQ(bytes, remeshed(put("in.stl", binaryStl(mesh))));
+	std::string coloured = binaryStl(mesh);
+	coloured.back()      = '\x7c';
+	EXPECT_EQ(bytes, remeshed(put("in.stl", coloured + std::string(50, ' '))));
+	EXPECT_NE(notes().find("has 50 bytes behind"), std::string::npos) << notes();
+	EXPECT_NE(notes().find("an STL file: colours or other data"), std::string::npos) << notes();
 }
 
 TEST_F(TileInputs, CoordinatesStayDoublesWhereFloatsWouldNotDo)

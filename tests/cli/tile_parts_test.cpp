@@ -24,6 +24,7 @@
 #include <iterator>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 
 namespace gpr_test {
@@ -301,6 +302,49 @@ TEST(SplitLongBorderEdges, LeavesNoneAndKeepsTheArea)
 	EXPECT_EQ(lengths.size(), 12u * 4);
 	for (double length : lengths)
 		EXPECT_NEAR(length, 1.0 / 12, 1e-6);
+}
+
+/// The split leaves repeated faces repeated, whatever their first corner and their orientation.
+TEST(SplitLongBorderEdges, RepeatedFacesStayRepeated)
+{
+	TestMesh square;
+	square.points  = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+	square.faces   = {{0, 1, 2}, {1, 2, 0}, {2, 1, 0}, {2, 1, 3}};
+	InputMesh mesh = inputMesh(square);
+	EXPECT_EQ(borderEdges(mesh.view()).size(), 4u);
+	std::vector<SharedName> names(mesh.vertexNum());
+	splitLongBorderEdges(0.3, mesh, names);
+	std::map<std::array<int, 3>, int> num;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		std::array<int, 3> corner{};
+		std::copy_n(&mesh.triangles[3 * f], 3, corner.begin());
+		std::sort(corner.begin(), corner.end());
+		++num[corner];
+	}
+	std::map<int, int> ofNum;
+	for (const auto& face : num)
+		++ofNum[face.second];
+	EXPECT_EQ(ofNum, (std::map<int, int>{{1, 7}, {3, 7}}));
+	EXPECT_EQ(borderEdges(mesh.view()).size(), 16u);
+}
+
+/// Edges at the same place, which the last step sews.
+TEST(SplitLongBorderEdges, GivesBothSidesOfACrackTheSamePlaces)
+{
+	TestMesh two;
+	two.points                   = {{0.1, 0.2, 0.3}, {1.7, 0.1, 0.2}, {1.3, 1.9, 0.1},
+									{1.3, 1.9, 0.1}, {0.2, 1.1, 0.7}, {0.1, 0.2, 0.3}};
+	two.faces                    = {{0, 1, 2}, {3, 4, 5}};
+	InputMesh               mesh = inputMesh(two);
+	std::vector<SharedName> names(mesh.vertexNum());
+	splitLongBorderEdges(0.01, mesh, names);
+	std::set<std::array<double, 3>> places;
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v) {
+		const Vec3d p = mesh.view().position(v);
+		places.insert({p.x, p.y, p.z});
+	}
+	const double crack = std::hypot(1.2, 1.7, 0.2);
+	EXPECT_EQ(mesh.vertexNum() - places.size(), std::size_t(std::ceil(crack / 0.01)) + 1);
 }
 
 TEST(BorderEdges, AreThoseThatOneFaceHas)

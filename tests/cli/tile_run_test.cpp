@@ -116,11 +116,13 @@ protected:
 	}
 
 	/// The same topology, and as many vertices.
-	void expectAsWithoutTiles(const std::string& input, const std::string& vertexNum)
+	void expectAsWithoutTiles(const std::string& input, const std::string& vertexNum,
+							  std::vector<std::string> options = {})
 	{
-		remeshedInTiles(input, {"--vertices", vertexNum});
-		const ProgramResult whole =
-			run({"remesh", input, path("whole.ply"), "--vertices", vertexNum});
+		options.insert(options.end(), {"--vertices", vertexNum});
+		remeshedInTiles(input, options);
+		options.insert(options.begin(), {"remesh", input, path("whole.ply")});
+		const ProgramResult whole = run(options);
 		ASSERT_EQ(whole.exitCode, 0) << whole.err;
 		const Json tiled    = info(path("out.ply"))["input"],
 				   expected = info(path("whole.ply"))["input"];
@@ -273,6 +275,43 @@ TEST_F(TileRun, AKilledRunGoesOnWhereItWas)
 	EXPECT_EQ(whole, content(path("out.ply")));
 }
 
+/// Only the files of the run leave its folder at the end.
+TEST_F(TileRun, FilesOfTheUserStayInItsFolder)
+{
+	const std::string mesh = binaryPly(torus(400), true, false);
+	std::filesystem::create_directory(path("run"));
+	put("run/letter.txt", "mine");
+	const std::string   in     = put("run/torus.ply", mesh);
+	const ProgramResult result = run({"remesh", in, path("run/out.ply"), "--vertices", "3000",
+									  "--memory", "45M", "--scratch", path("run"), "--quiet"},
+									 300);
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	EXPECT_EQ(content(path("run/letter.txt")), "mine");
+	EXPECT_TRUE(content(in) == mesh);
+	EXPECT_EQ(info(path("run/out.ply"))["input"]["vertices"], 3000);
+	const std::filesystem::directory_iterator left(path("run"));
+	EXPECT_EQ(std::distance(begin(left), end(left)), 3);
+}
+
+TEST_F(TileRun, NoFileOfTheUserHasANameOfItsFiles)
+{
+	const std::string mesh = binaryPly(torus(400), true, false);
+	const std::string in   = put("torus.ply", mesh);
+	std::filesystem::create_directory(path("run"));
+	const std::string part = put("run/part0.ply", mesh);
+	expectFailure(run({"tile", "plan", path("run"), in}), 2, "holds 'part0.ply'");
+	expectFailure(run({"tile", "plan", path("run"), part}), 2, "a name of the run's own files");
+	expectFailure(run({"remesh", in, path("run/joined.ply"), "--vertices", "3000", "--memory",
+					   "45M", "--scratch", path("run")}),
+				  2, "a name of the run's own files");
+	EXPECT_TRUE(content(part) == mesh);
+	std::filesystem::remove(part);
+	plan(in, {"--vertices", "3000"});
+	expectFailure(
+		run({"tile", "finish", path("run"), path("out.ply"), "--report", path("run/plan.json")}), 2,
+		"a name of the run's own files");
+}
+
 TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
 {
 	const std::string in   = put("square.ply", binaryPly(grid(150), true, true));
@@ -283,6 +322,32 @@ TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
 	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 1);
 	EXPECT_NEAR(facts["input"]["area"], 1, 1e-9);
 	EXPECT_EQ(report()["result"]["precision"], "double");
+}
+
+/// The polyline of the border must not change in the last bits, where triangles of the result are
+/// hardly larger than triangles of the input.
+TEST_F(TileRun, AMatchedBorderHasTheBitsOfARunWithoutTiles)
+{
+	TestMesh mesh = grid(100);
+	for (auto& p : mesh.points)
+		p[2] = 0.1 * std::sin(7 * p[0]) * std::cos(5 * p[1]);
+	const auto borderOf = [](const TestMesh& of) {
+		std::vector<std::array<double, 3>> border;
+		for (const auto& p : of.points)
+			if (p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1) border.push_back(p);
+		std::sort(border.begin(), border.end());
+		return border;
+	};
+	const std::string              in      = put("square.ply", binaryPly(mesh, true, false));
+	const std::vector<std::string> options = {"--edge-length", "0.024", "--boundary", "match"};
+	const TestMesh                 tiled   = remeshedInTiles(in, options);
+	std::vector<std::string>       words   = {"remesh", in, path("whole.ply"), "--quiet"};
+	words.insert(words.end(), options.begin(), options.end());
+	ASSERT_EQ(run(words).exitCode, 0);
+	std::string    precision;
+	const TestMesh whole = parseWrittenPly(content(path("whole.ply")), precision);
+	EXPECT_GT(borderOf(whole).size(), 150u);
+	EXPECT_TRUE(borderOf(tiled) == borderOf(whole));
 }
 
 TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
@@ -391,6 +456,52 @@ TEST_F(TileRun, TinyPiecesAreAsWithoutTiles)
 	expectAsWithoutTiles(put("pieces.ply", binaryPly(mesh, true, false)), "1500");
 }
 
+/// Faces that are repeated, also at the seams of the tiles and with long edges there.
+TEST_F(TileRun, RepeatedFacesLeaveNoHoles)
+{
+	TestMesh mesh = torus(60);
+	for (std::size_t f = 0; f < 7200; f += 7) {
+		const auto [a, b, c] = mesh.faces[f];
+		mesh.faces.push_back({b, c, a});
+	}
+	expectAsWithoutTiles(put("repeated.ply", binaryPly(mesh, true, false)), "2200");
+}
+
+/// Faces without common vertices: all faces of a mesh, and again each face with a number that is
+/// one below a multiple of `step`.
+TestMesh soupOf(const TestMesh& mesh, std::size_t step)
+{
+	TestMesh soup;
+	for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+		for (std::size_t again = 0; again < (f % step == step - 1 ? 2u : 1u); ++again) {
+			const int first = int(soup.points.size());
+			for (std::size_t k = 0; k < 3; ++k)
+				soup.points.push_back(mesh.points[std::size_t(mesh.faces[f][(k + again) % 3])]);
+			soup.faces.push_back({first, first + 1, first + 2});
+		}
+	}
+	return soup;
+}
+
+TEST_F(TileRun, ASoupOfRepeatedFacesIsAsWithoutTiles)
+{
+	expectAsWithoutTiles(put("soup.ply", binaryPly(soupOf(torus(60), 7), true, false)), "2200");
+}
+
+/// With a single common vertex the engine no longer joins all, but sews the triangles; all tiles
+/// but one are soups.
+TEST_F(TileRun, TilesThatAreSoupsFitToATileThatIsNone)
+{
+	const TestMesh whole = torus(60);
+	TestMesh       mesh  = soupOf(whole, 1000000);
+	const int      first = whole.faces[0][0];
+	for (std::size_t f = 1; f < whole.faces.size(); ++f) {
+		for (std::size_t k = 0; k < 3; ++k)
+			if (whole.faces[f][k] == first) mesh.faces[f][k] = mesh.faces[0][0];
+	}
+	expectAsWithoutTiles(put("nearly.ply", binaryPly(mesh, true, false)), "2200");
+}
+
 /// Boxes side by side with common walls: three or four faces at the edges of the walls. The surface
 /// does not tell which of these faces stay joined after a cut; the choice depends on the tiles.
 TEST_F(TileRun, FoamLosesNoWall)
@@ -402,6 +513,19 @@ TEST_F(TileRun, FoamLosesNoWall)
 	const Json   facts = info(path("out.ply"))["input"];
 	const double walls = 3 * 4 * 24 * 24;
 	EXPECT_NEAR(facts["area"].get<double>(), walls, 0.005 * walls);
+}
+
+/// With few and with many vertices: tiles that are condensed, and tiles that stay.
+TEST_F(TileRun, JunctionsAreKeptAsWithoutTiles)
+{
+	const std::string in = put("foam.ply", binaryPly(foam(2, 8), true, false));
+	for (const char* vertexNum : {"150", "700"}) {
+		std::filesystem::remove_all(path("run"));
+		expectAsWithoutTiles(in, vertexNum, {"--junctions", "keep"});
+		std::string precision;
+		EXPECT_EQ(mostFacesOfAnEdge(parseWrittenPly(content(path("out.ply")), precision)), 4)
+			<< vertexNum;
+	}
 }
 
 TEST_F(TileRun, AShareTooSmallForTheTopologyIsRaised)
@@ -486,6 +610,17 @@ TEST_F(TileRun, DamagedFilesAreToldNotUsed)
 	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "damaged");
 }
 
+/// The same numbers of vertices and faces, but other properties.
+TEST_F(TileRun, APieceThatWasReplacedByAnotherIsRefused)
+{
+	const auto [left, right] = halvesOfGrid(20);
+	const std::string a      = put("left.ply", binaryPly(left, true, false));
+	const std::string b      = put("right.ply", binaryPly(right, true, false));
+	runStep({"plan", path("run"), a, b, "--vertices", "50", "--tiles", "2"});
+	put("right.ply", binaryPly(right, true, true)); // in doubles
+	expectFailure(run({"tile", "split", path("run")}), 3, "has changed since the plan was made");
+}
+
 TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 {
 	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));
@@ -494,6 +629,8 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 	expectFailure(run({"tile", "plan", path("run"), in, "--edge-length", "1%"}), 2, "percent");
 	expectFailure(run({"tile", "plan", path("run"), in, "--boundary", "keep"}), 2,
 				  "--boundary keep");
+	expectFailure(run({"tile", "plan", path("run"), in, "--drop-components-below", "9"}), 2,
+				  "--drop-components-below");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),
 				  4, "Ask for at most");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "700", "--memory", "5M"}), 4,

@@ -186,4 +186,23 @@ TEST(CloseSurfacesWithBorders, KeepTheirBorderWhereTrianglesAreMadeAnew)
 	}
 }
 
+/// A kept border counts more than contacts, so the run is refused if contacts are left.
+TEST(CloseSurfacesWithBorders, TrianglesBesideAKeptBorderDoNotIntersect)
+{
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+	mesh.triangles = {0, 1, 2};
+	for (const int count : {150, 600, 2000}) {
+		RemeshOptions options;
+		options.targetMode      = TargetMode::VertexNum;
+		options.targetVertexNum = count;
+		options.boundary        = BoundaryMode::Keep;
+		const RemeshResult r    = remesh(mesh.view(), options);
+		if (r.status == Status::Ok)
+			EXPECT_EQ(r.report.audit.guarded.pairNum, 0) << count;
+		else
+			EXPECT_EQ(r.status, Status::CountTooSmall) << count << ": " << r.message;
+	}
+}
+
 } // namespace gpr::test

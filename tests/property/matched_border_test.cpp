@@ -257,6 +257,27 @@ TEST(PeriodicBorder, EndsThatDifferAreRefusedWithTheLargestMismatch)
 	EXPECT_TRUE(result.mesh.positions.empty());
 }
 
+/// All vertices of the border match, but a face is missing at one end.
+TEST(PeriodicBorder, EdgesThatDifferAreNamed)
+{
+	Random       random(1);
+	TriangleMesh mesh    = periodicSheet(20, 0, 0, random);
+	const auto   isAtEnd = [&](std::size_t corner) {
+        return mesh.positions[std::size_t(mesh.triangles[corner])].x > 0.9999;
+	};
+	for (std::size_t c = 0; c < mesh.triangles.size(); c += 3) {
+		const int atEnd = isAtEnd(c) + isAtEnd(c + 1) + isAtEnd(c + 2);
+		if (atEnd != 2) continue;
+		const auto first = mesh.triangles.begin() + std::ptrdiff_t(c);
+		mesh.triangles.erase(first, first + 3);
+		break;
+	}
+	const RemeshResult result = remesh(mesh.view(), periodicOptions(0.1));
+	EXPECT_EQ(result.status, Status::UnusableInput);
+	EXPECT_NE(result.message.find("not periodic along X: its edges differ"), std::string::npos)
+		<< result.message;
+}
+
 TEST(PeriodicBorder, WithoutABorderOrWithAnotherPeriodItIsRefused)
 {
 	Random        random(1);

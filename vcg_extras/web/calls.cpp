@@ -7,6 +7,7 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/options/given_options.h>
 
+#include <deque>
 #include <emscripten.h>
 #include <functional>
 #include <new>
@@ -24,10 +25,10 @@ namespace {
 using app::AppError;
 using app::ExitCode;
 
-/// The arrays of the last answer.
-std::vector<std::string>& kept()
+/// The arrays of the last answer, which never move: short strings lie in the string itself.
+std::deque<std::string>& kept()
 {
-	static std::vector<std::string> arrays;
+	static std::deque<std::string> arrays;
 	return arrays;
 }
 

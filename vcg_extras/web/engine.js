@@ -37,7 +37,8 @@ function compile() {
 	return compiled;
 }
 
-async function startWorker(listen, fail) {
+// The first message has the module.
+async function startWorker(compiled, listen, fail) {
 	const url = new URL("./worker/worker.js", import.meta.url);
 	if (isNode) {
 		const { Worker } = await import("node:worker_threads");
@@ -45,11 +46,13 @@ async function startWorker(listen, fail) {
 		worker.on("message", listen);
 		worker.on("error", fail);
 		worker.unref();
+		worker.postMessage({ compiled, threadNum });
 		return { post: (message, moved) => { worker.ref(); worker.postMessage(message, moved); }, rest: () => worker.unref(), end: () => worker.terminate() };
 	}
 	const worker = new Worker(url);
 	worker.onmessage = ({ data }) => listen(data);
 	worker.onerror = (event) => fail(new Error(event.message || "The worker cannot be started."));
+	worker.postMessage({ compiled, threadNum });
 	return { post: (message, moved) => worker.postMessage(message, moved), rest() {}, end: () => worker.terminate() };
 }
 
@@ -66,8 +69,7 @@ export class Engine {
 	async call(call, request = {}, { onProgress, signal, move = [] } = {}) {
 		signal?.throwIfAborted();
 		const module = await compile();
-		const isNew = this.#worker === null;
-		this.#worker ??= startWorker((message) => this.#hear(message), (error) => this.#fail(error));
+		this.#worker ??= startWorker(module, (message) => this.#hear(message), (error) => this.#fail(error));
 		const mine = this.#worker;
 		const worker = await mine;
 		signal?.throwIfAborted();
@@ -76,7 +78,7 @@ export class Engine {
 		const answered = new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, onProgress }));
 		const stop = () => this.#fail(signal.reason);
 		signal?.addEventListener("abort", stop);
-		worker.post({ ...request, id, call, ...(isNew ? { compiled: module, threadNum } : {}) }, move);
+		worker.post({ ...request, id, call }, move);
 		try {
 			return await answered;
 		} finally {

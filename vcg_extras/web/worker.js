@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The engine in a thread of its own, in a browser or in node. Takes messages {id, call, ...} and answers
+// The engine in a thread of its own, in a browser or in node. Takes first {compiled, threadNum}, then messages {id, call, ...}, and answers
 // {id, answer} or {id, error, code}; before the answer it sends {id, share, phrase}. engine.js is the other end.
 /* global makeGpremesh */
 
@@ -70,6 +70,9 @@ function takeOut(module, value, transferred) {
 const pathOf = (name) => "/" + name.replace(/\//g, "_");
 let openPath = null;
 
+// The open file stays beside a result with the same name.
+const pathOfResult = (name) => pathOf(name) === openPath ? pathOf("/" + name) : pathOf(name);
+
 function keepFile(module, path, bytes) {
 	if (openPath !== null && openPath !== path) module.FS.unlink(openPath);
 	module.FS.writeFile(path, bytes, { canOwn: true });
@@ -88,7 +91,7 @@ function answer(module, request) {
 		keepFile(module, request.path, request.bytes);
 		delete request.bytes;
 	}
-	if (request.call === "save") request.path = pathOf(request.name);
+	if (request.call === "save") request.path = pathOfResult(request.name);
 	try {
 		return JSON.parse(module.ccall("gprCall", "string", ["string"], [JSON.stringify(request)]));
 	} finally {
@@ -97,7 +100,10 @@ function answer(module, request) {
 }
 
 async function reply(message) {
-	if (message.compiled) loaded = load(message.compiled, message.threadNum);
+	if (message.compiled) {
+		loaded = load(message.compiled, message.threadNum);
+		return;
+	}
 	const module = await loaded;
 	current = message.id;
 	const transferred = [];

@@ -96,6 +96,12 @@ public:
 	std::int64_t reached() const { return made_.guarded->mesh.vertexNum; }
 	/// Whether the taken components of the input had contacts.
 	bool hadContacts() const { return hadContacts_; }
+	/// Whether collapses have made contacts: a kept border counts more than contacts.
+	bool hasNewContacts() const
+	{
+		return result_.keepsBorder && !hadContacts_ &&
+			   !findTouchingPairs(made_.guarded->mesh, workers_).empty();
+	}
 
 	/// Makes the decimated mesh more regular. False if degenerate faces are left, as between fixed
 	/// vertices.
@@ -205,6 +211,7 @@ ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vect
 	if (reached > before && !making.mayEndAbove) return {reached, true};
 	// Degenerate faces of the input have contacts of their neighbours: no promise there either.
 	if (!replacement.relax()) return {before};
+	if (replacement.hasNewContacts()) return {before, true};
 	replacement.take();
 	return {reached};
 }

@@ -19,7 +19,8 @@ struct ContactOutcome {
 	/// Vertices of the result now. If refused: as reached by the collapses of whole components, if
 	/// any.
 	std::int64_t vertexNum = 0;
-	/// Self-intersections are left: removing these would take more vertices than allowed.
+	/// Self-intersections are left: removing these would take more vertices than allowed, or other
+	/// vertices at a kept border.
 	bool isRefused = false;
 	bool hasMade   = false; ///< vertices were made by the guard, in this call or an earlier call
 	bool isCapped  = false; ///< patches were left out, since the work would be too much

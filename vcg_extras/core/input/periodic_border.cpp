@@ -101,11 +101,15 @@ struct Miss {
 		worst    = misses[i];
 	}
 	const Vec3d at = position[std::size_t(worst.vertex)];
-	char        text[240];
-	std::snprintf(text, sizeof text,
-				  "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) "
-				  "the nearest vertex of the border is %.3g away.",
-				  "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
+	const bool  isMatched =
+		mismatch <= tolerance * std::abs(coordinate(worst.wanted - at, worst.axis));
+	const char* const format =
+		isMatched ? "The border is not periodic along %c: its edges differ at (%.6g, %.6g, %.6g), "
+					"although the vertices match (to %.3g)."
+				  : "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) the "
+					"nearest vertex of the border is %.3g away.";
+	char text[240];
+	std::snprintf(text, sizeof text, format, "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
 	throw Failure(Status::UnusableInput, text);
 }
 

@@ -645,17 +645,22 @@ std::string Plan::judge(const FitFacts& facts)
 	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
-/// Sheets intersect beside a junction. If the target is a wish, the next mesh has half as many
-/// vertices again; else the run refuses.
+/// Sheets intersect beside a junction, or faces beside a kept border. If the target is a wish, the
+/// next mesh has half as many vertices again; else the run refuses.
 std::string Plan::separateByMore(const ContactFacts& facts)
 {
 	const std::int64_t next = facts.before + std::max<std::int64_t>(1, facts.before / 2);
 	const std::int64_t faceNum =
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
-	const bool         isFirst = attempts_.separatedFrom == 0;
-	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
-	const std::string  fault =
-		"With " + asked() + " sheets that meet in junctions would intersect each other";
+	const bool           isFirst = attempts_.separatedFrom == 0;
+	const std::int64_t   first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
+	const RemeshOptions& o       = request_.options;
+	const bool           isBesideBorder =
+		(o.boundary == BoundaryMode::Keep || o.selectedOnly) && !keepsJunctions(o);
+	const std::string fault =
+		"With " + asked() +
+		(isBesideBorder ? " triangles beside the kept border" : " sheets that meet in junctions") +
+		" would intersect each other";
 	attempts_.separatedFrom = first;
 	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
 		refuse(fault + "; smaller triangles there, or about " + counted(next, faceNum) +

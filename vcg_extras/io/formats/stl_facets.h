@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <vector>
 
 // Binary STL files.
 
@@ -23,6 +25,12 @@ bool isBinaryStl(std::string_view begin, std::uint64_t fileBytes);
 
 /// Throws AppError (BadInput) for a binary file shorter than the count after its header says.
 void requireAllFacets(std::string_view begin, std::uint64_t fileBytes);
+
+/// Notes about a binary file that is longer than the count says.
+std::vector<std::string> notesOfStl(std::string_view begin, std::uint64_t fileBytes);
+
+/// What no other format has room for.
+constexpr const char* stlAttributes = "colours or other data in attribute bytes of facets";
 
 /// The length of a binary STL file by the count after its header.
 std::uint64_t promisedStlBytes(std::string_view begin);

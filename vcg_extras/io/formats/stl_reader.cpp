@@ -222,8 +222,8 @@ InputMesh readBinaryStl(std::string_view file)
 	const auto attributeNum = workers.sumEach<std::int64_t>(
 		facets.cornerNum() / 3,
 		[&](std::size_t f, std::int64_t& num) { num += facets.hasAttribute(f); });
-	if (attributeNum > 0)
-		mesh.attributes.lost.push_back("colours or other data in attribute bytes of facets");
+	if (attributeNum > 0) mesh.attributes.lost.push_back(stlAttributes);
+	mesh.notes = notesOfStl(file, file.size());
 	return mesh;
 }
 
@@ -249,6 +249,15 @@ void requireAllFacets(std::string_view begin, std::uint64_t fileBytes)
 	if (promisedStlBytes(begin) <= fileBytes) return;
 	failInput("the file ends too early: its header promises " +
 			  std::to_string(promisedStlBytes(begin)) + " bytes");
+}
+
+std::vector<std::string> notesOfStl(std::string_view begin, std::uint64_t fileBytes)
+{
+	const std::uint64_t promised = promisedStlBytes(begin), more = fileBytes - promised;
+	if (more < stlFacetBytes) return {};
+	return {"The STL file has " + std::to_string(more) + " bytes behind the " +
+			std::to_string((promised - stlFacetsAt) / stlFacetBytes) +
+			" facets that its header promises; facets there were left out."};
 }
 
 InputMesh readStl(std::string_view file)

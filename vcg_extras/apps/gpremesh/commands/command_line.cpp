@@ -94,11 +94,21 @@ void checkLevels(const CommandLine& line)
 	checkReport(line);
 }
 
+/// OUT of --tiles-out replaces a whole folder.
+void requireOutside(const std::string& file, const CommandLine& line)
+{
+	namespace fs = std::filesystem;
+	if (!file.empty() && sameFile(fs::absolute(file).parent_path().string(), line.output))
+		failUsage("'" + file + "' lies in the folder OUT, which the tiles replace.");
+}
+
 void checkOutputPath(const CommandLine& line)
 {
 	if (line.outTileNum > 0 && isMeshName(line.output))
 		failUsage("With --tiles-out OUT is a folder and cannot have the name of a mesh, '" +
 				  line.output + "'.");
+	for (const std::string& file : {line.input, line.report})
+		if (line.outTileNum > 0) requireOutside(file, line);
 	const bool isPly = line.outTileNum > 0 || formatOfPath(line.output) == MeshFormat::Ply;
 	if (line.command == Command::Features && !isPly)
 		failUsage("features writes .ply only, the only format with quality and colour.");

@@ -23,8 +23,10 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 
 class BorderSplitter {
 public:
-	BorderSplitter(double maxLength, InputMesh& mesh, std::vector<SharedName>& names) :
-			maxLength_(maxLength), mesh_(mesh), names_(names)
+	BorderSplitter(double maxLength, InputMesh& mesh, std::vector<SharedName>& names,
+				   bool sharedOnly) :
+			maxLength_(maxLength),
+			sharedOnly_(sharedOnly), mesh_(mesh), names_(names)
 	{
 	}
 
@@ -46,6 +48,7 @@ private:
 	};
 
 	double                   maxLength_;
+	bool                     sharedOnly_;
 	InputMesh&               mesh_;
 	std::vector<SharedName>& names_;
 	std::map<Edge, Points>   split_;
@@ -67,6 +70,7 @@ private:
 		std::vector<char> isEnd(mesh_.vertexNum(), 0);
 		for (const Edge& e : borderEdges(mesh_.view())) {
 			if (!(lengthOf(e.first, e.second) > maxLength_)) continue;
+			if (sharedOnly_ && !isShared(e)) continue;
 			addPoints(e);
 			isEnd[std::size_t(e.first)] = isEnd[std::size_t(e.second)] = 1;
 		}
@@ -80,23 +84,36 @@ private:
 		return faces;
 	}
 
-	/// Makes the points of an edge from the end with the lower name, so that all tiles compute
-	/// equal points.
+	bool isShared(const Edge& e) const
+	{
+		return names_[std::size_t(e.first)].isShared() && names_[std::size_t(e.second)].isShared();
+	}
+
+	/// By their positions.
+	bool isBefore(std::int32_t a, std::int32_t b) const
+	{
+		const MeshView view = mesh_.view();
+		const Vec3d    p = view.position(std::size_t(a)), q = view.position(std::size_t(b));
+		return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+	}
+
+	/// Makes the points of an edge from the end with the lower position, so that all tiles, and all
+	/// edges at the same place, get equal points.
 	void addPoints(const Edge& edge)
 	{
 		const double pieces = std::ceil(lengthOf(edge.first, edge.second) / maxLength_);
 		if (!(pieces < mostPieces)) return; // not a number, or too many pieces
 		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
 		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
-		const bool       isShared = a.isShared() && b.isShared();
-		const bool       isTurned = isShared && b < a;
+		const bool       isNamed  = isShared(edge);
+		const bool       isTurned = isBefore(edge.second, edge.first);
 		const std::int32_t from   = isTurned ? edge.second : edge.first;
 		const std::int32_t to     = isTurned ? edge.first : edge.second;
 		for (int i = 1; i < points.pieceNum; ++i) {
 			const int k = isTurned ? points.pieceNum - i : i; // the k-th point from `from`
 			addVertex(from, to, double(k) / points.pieceNum);
 			SharedName name;
-			if (isShared) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
+			if (isNamed) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
 			names_.push_back(name);
 		}
 		split_[edge] = points;
@@ -122,15 +139,19 @@ private:
 		}
 	}
 
+	/// Begins with the smallest edge, so that repeated faces get repeated pieces.
 	void splitFace(std::size_t f, std::vector<std::size_t>& toDo)
 	{
+		auto        at   = split_.end();
+		std::size_t side = 0;
 		for (std::size_t k = 0; k < 3; ++k) {
-			const std::int32_t a = corner(f, k), b = corner(f, k + 1);
-			const auto         at = split_.find(edgeOf(a, b));
-			if (at == split_.end()) continue;
-			splitFaceAt(f, k, at->second, a < b, toDo);
-			return;
+			const auto found = split_.find(edgeOf(corner(f, k), corner(f, k + 1)));
+			if (found == split_.end() || (at != split_.end() && at->first < found->first)) continue;
+			at   = found;
+			side = k;
 		}
+		if (at == split_.end()) return;
+		splitFaceAt(f, side, at->second, corner(f, side) == at->first.first, toDo);
 	}
 
 	/// Splits the edge from corner k on. The first piece replaces the face; all other pieces come
@@ -195,9 +216,10 @@ private:
 
 } // namespace
 
-void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names)
+void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names,
+						  bool sharedOnly)
 {
-	if (maxLength > 0) BorderSplitter(maxLength, mesh, names).run();
+	if (maxLength > 0) BorderSplitter(maxLength, mesh, names, sharedOnly).run();
 }
 
 std::vector<Edge> borderEdges(const MeshView& mesh)
@@ -205,8 +227,15 @@ std::vector<Edge> borderEdges(const MeshView& mesh)
 	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
 	std::vector<Edge>      border;
+	const auto             apexOf = [&](const EdgeSide& side) {
+        return mesh.vertexOf(std::size_t(side.halfEdge + (side.halfEdge % 3 == 0 ? 2 : -1)));
+	};
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-		if (end - begin == 1) border.push_back({sides[begin].low, sides[begin].high});
+		const auto isRepeated = [&](const EdgeSide& s) {
+			return apexOf(s) == apexOf(sides[begin]);
+		};
+		if (std::all_of(&sides[begin], &sides[begin] + (end - begin), isRepeated))
+			border.push_back({sides[begin].low, sides[begin].high});
 	});
 	return border;
 }

@@ -37,16 +37,18 @@ struct SharedName {
 };
 
 /// Splits the border edges of a tile longer than maxLength into equal pieces, so that triangles as
-/// small as the result's fit beside the border. All tiles split a shared edge at the same points,
-/// bit for bit: the points depend on the ends of the edge and maxLength alone. The surface stays
-/// the same. names: per vertex; receives names of the new vertices. Cost: linear, and O(n log n) in
-/// the long border edges.
-void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
+/// small as the result's fit beside the border. Edges at the same place get the same points, bit
+/// for bit, in all tiles: the points depend on the positions of the ends and maxLength alone. The
+/// surface stays the same, and repeated faces stay repeated. names: per vertex; receives names of
+/// the new vertices. sharedOnly: edges without two shared ends, which lie on the border of the
+/// input, stay. Cost: linear, and O(n log n) in the long border edges.
+void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names,
+						  bool sharedOnly = false);
 
 /// Two vertices of a mesh, the smaller number first.
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// The edges with a single face, ascending. Cost: linear.
+/// The edges with a single face, repeated or not, ascending. Cost: linear.
 std::vector<Edge> borderEdges(const MeshView& mesh);
 
 } // namespace gpr::app

@@ -11,6 +11,7 @@
 #include <vcg_extras/io/report/json_parts.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace gpr::app {
@@ -33,14 +34,13 @@ std::string tileName(std::size_t tile)
 
 bool isTileName(const std::string& name)
 {
-	const std::string ending = ".ply";
-	return name.rfind("tile", 0) == 0 && name.size() > ending.size() &&
-		   name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+	return name.rfind("tile", 0) == 0 && name == tileName(std::strtoull(&name[4], nullptr, 10));
 }
 
-/// Whether a folder may be replaced: all its files are files of tiles.
+/// Whether a folder may be replaced: it is empty, or an index and its tiles.
 bool holdsTilesOnly(const fs::path& folder)
 {
+	if (!fs::exists(folder / indexName)) return fs::is_empty(folder);
 	for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
 		const std::string name = entry.path().filename().string();
 		if (name != indexName && !isTileName(name)) return false;

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <vector>
+#include <initializer_list>
 
 namespace gpr::app {
 
@@ -32,7 +32,84 @@ constexpr const char* checksumKey = "checksum";
 	throw AppError(ExitCode::Failure, "cannot make the folder '" + path + "': " + error.message());
 }
 
+/// The name of a run's file without its numbers, and without the ending of a file in the making.
+std::string kindOf(std::string name)
+{
+	name.erase(std::remove_if(name.begin(), name.end(),
+							  [](char c) { return c == '-' || (c >= '0' && c <= '9'); }),
+			   name.end());
+	const std::string partial = ".part";
+	const std::size_t end     = name.size() - std::min(name.size(), partial.size());
+	return name.compare(end, partial.size(), partial) == 0 ? name.substr(0, end) : name;
+}
+
+bool isOneOf(const std::string& kind, std::initializer_list<const char*> kinds)
+{
+	return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool isNameOfRun(const std::string& name)
+{
+	return isOneOf(kindOf(name), {"plan.json", "split.json", "input.ply", "input.json", "scratch",
+								  "tile.ply", "tile.names", "part.ply", "part.names", "part.json",
+								  "joined.ply", "join.json"});
+}
+
+/// The names in a folder.
+std::vector<std::string> namesIn(const std::string& folder)
+{
+	std::error_code          error;
+	std::vector<std::string> names;
+	for (fs::directory_iterator at(folder, error), end; at != end; at.increment(error))
+		names.push_back(at->path().filename().string());
+	return names;
+}
+
 } // namespace
+
+void RunFolder::requireForeign(const std::vector<std::string>& files) const
+{
+	for (const std::string& file : files) {
+		std::error_code error;
+		const fs::path  real = fs::weakly_canonical(file, error);
+		if (real.parent_path() == fs::weakly_canonical(path_, error) &&
+			isNameOfRun(real.filename().string()))
+			failUsage("'" + file + "' has a name of the run's own files in '" + path_ +
+					  "'. Choose another name or folder.");
+	}
+}
+
+void RunFolder::requireUnused() const
+{
+	std::string own;
+	for (const std::string& name : namesIn(path_)) {
+		if (isOneOf(kindOf(name), {"plan.json", "input.json", "scratch"})) return;
+		if (isNameOfRun(name)) own = name;
+	}
+	if (!own.empty())
+		failUsage("'" + path_ + "' holds '" + own +
+				  "', a file of no known run, which the run would replace. Name another folder.");
+}
+
+void RunFolder::remove() const
+{
+	std::error_code error;
+	const auto      removeIf = [&](auto isWanted) {
+        for (const std::string& name : namesIn(path_))
+            if (isNameOfRun(name) && isWanted(name)) fs::remove_all(fs::path(path_) / name, error);
+	};
+	// A killed removal must leave no record without its files, and the plan tells whose folder it
+	// is. The split's record goes first: its tiles were removed long before.
+	fs::remove(splitRecord(), error);
+	const auto isPlan   = [](const std::string& name) { return kindOf(name) == "plan.json"; };
+	const auto isRecord = [](const std::string& name) {
+		return fs::path(name).extension() == ".json";
+	};
+	removeIf([&](const std::string& name) { return isRecord(name) && !isPlan(name); });
+	removeIf([&](const std::string& name) { return !isPlan(name); });
+	removeIf(isPlan);
+	fs::remove(path_, error);
+}
 
 void makeFolder(const std::string& path)
 {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gpr::app {
 
@@ -34,6 +35,15 @@ public:
 	std::string partRecord(int k) const { return numbered("part", k, ".json"); }
 	std::string joined() const { return path_ + "/joined.ply"; }
 	std::string joinRecord() const { return path_ + "/join.json"; }
+
+	/// Throws AppError (Usage) if a file of the user has, or would get, a name of the run's own
+	/// files in the folder.
+	void requireForeign(const std::vector<std::string>& files) const;
+	/// To be called before the plan. Throws AppError (Usage) if the folder holds files with such
+	/// names, but no file that an interrupted run leaves.
+	void requireUnused() const;
+	/// Removes the run's own files, and the folder unless it holds other files.
+	void remove() const;
 
 private:
 	std::string path_;

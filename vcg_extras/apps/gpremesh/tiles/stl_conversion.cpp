@@ -78,7 +78,8 @@ public:
 	{
 	}
 
-	void run()
+	/// Returns whether a facet has attribute bytes, which are lost.
+	bool run()
 	{
 		shareOutPlaces();
 		for (int share = 0; share < shares_.num; ++share)
@@ -90,6 +91,7 @@ public:
 		for (int share = 0; share < shares_.num; ++share)
 			writeFaces(share, out);
 		out.commit();
+		return hasAttributes_;
 	}
 
 private:
@@ -99,6 +101,7 @@ private:
 	RankedSet         isFirst_;
 	SpillFiles        corners_; ///< by place
 	SpillFiles        found_;   ///< by corner
+	bool              hasAttributes_ = false;
 
 	/// Calls visit(facets, c, number) for each corner of the file, which is corner c of some
 	/// facets. from, share: of the work.
@@ -124,6 +127,7 @@ private:
 	void shareOutPlaces()
 	{
 		forEachCorner(0, 0.25, [&](const StlFacets& facets, std::size_t c, std::uint64_t number) {
+			hasAttributes_           = hasAttributes_ || facets.hasAttribute(c / 3);
 			const StlCornerKey key   = facets.key(c);
 			const int          share = int((key.hash() >> 32) % std::uint64_t(shares_.num));
 			corners_.addValue(share, PlacedCorner(key, number));
@@ -187,12 +191,16 @@ private:
 
 std::vector<std::string> convertBinaryStl(const Conversion& job)
 {
-	const std::string begin = beginOfFile(job.source, stlFacetsAt);
-	requireAllFacets(begin, std::filesystem::file_size(job.source));
+	const std::string   begin     = beginOfFile(job.source, stlFacetsAt);
+	const std::uint64_t fileBytes = std::filesystem::file_size(job.source);
+	requireAllFacets(begin, fileBytes);
 	const std::uint64_t facetNum = (promisedStlBytes(begin) - stlFacetsAt) / stlFacetBytes;
 	if (facetNum == 0) failInput("the file has no faces (0 vertices)");
-	StlConverter(job, facetNum).run();
-	return {};
+	std::vector<std::string> notes = notesOfStl(begin, fileBytes);
+	if (StlConverter(job, facetNum).run())
+		notes.push_back(
+			"Not carried through tiles from an STL file: " + std::string(stlAttributes) + ".");
+	return notes;
 }
 
 } // namespace gpr::app

@@ -50,7 +50,12 @@ public:
 			names_(readNames(folder.tileNames(tile)))
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
-		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_);
+		// A matched border depends on the polyline of the input, to the last bit; a soup has border
+		// edges only, and the engine joins its faces; and an edge of a junction that is kept may be
+		// a border in one tile only.
+		if (plan.options.junctions != JunctionMode::Keep)
+			splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_,
+								 split.isSoup() || plan.options.boundary == BoundaryMode::Match);
 		border_  = borderEdges(mesh_.view());
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
@@ -130,6 +135,7 @@ private:
 		options.seed             = plan_.options.seed;
 		options.threads          = plan_.options.threads;
 		options.sew              = plan_.options.sew;
+		options.junctions        = plan_.options.junctions;
 		options.featureAngleDeg  = plan_.options.featureAngleDeg;
 		options.timeLimitSeconds = limit_.secondsLeft();
 		return options;

@@ -48,6 +48,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.edgeLenIsPercent || options.minEdgeIsPercent || options.maxEdgeIsPercent)
 		failUsage("Lengths in percent are of the diagonal of the whole input, which tiles do not "
 				  "hold. Give all lengths in mesh units.");
+	if (options.dropComponentsBelow > 0)
+		failUsage("--drop-components-below counts the faces of the whole input, which tiles do not "
+				  "hold.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)

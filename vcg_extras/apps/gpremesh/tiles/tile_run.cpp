@@ -85,6 +85,7 @@ ProgressCallback partOf(ProgressBar& bar, double from, double to)
 TilePlan planFor(const CommandLine& line, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress)
 {
+	folder.requireUnused();
 	TileSettings settings = line.tiles;
 	settings.inputs =
 		convertInputs(settings.inputs, double(settings.memoryBytes), folder, limit, progress);
@@ -172,6 +173,15 @@ Json stepJson(const TilePlan& plan, const char* step)
 	return {{"step", step}, {"plan", plan.name}};
 }
 
+/// The files of the user must stay as they are.
+void requireForeignFiles(const CommandLine& line, const RunFolder& folder)
+{
+	std::vector<std::string> files = line.tiles.inputs;
+	for (const std::string& file : {line.input, line.output, line.report})
+		if (!file.empty()) files.push_back(file);
+	folder.requireForeign(files);
+}
+
 // ---- steps
 
 void stepPlan(const CommandLine& line, const RunFolder& folder, const RunLimit& limit)
@@ -242,9 +252,10 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
 	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);
-	CommandLine     whole = line;
-	whole.tiles.inputs    = {line.input};
-	const bool isSplit    = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
+	requireForeignFiles(line, folder);
+	CommandLine whole  = line;
+	whole.tiles.inputs = {line.input};
+	const bool isSplit = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
 	TilePlan   plan;
 	{
 		ProgressBar bar(!line.quiet && errorIsTerminal());
@@ -257,8 +268,7 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 	}
 	whole.shareDone = shareCondensed;
 	finish(whole, plan, readSplit(plan, folder), folder, programClock);
-	std::error_code error;
-	fs::remove_all(folder.path(), error);
+	folder.remove();
 }
 
 void runTileStep(const CommandLine& line, const Stopwatch& programClock)
@@ -266,6 +276,7 @@ void runTileStep(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
 	const RunFolder folder(line.tiles.folder);
+	requireForeignFiles(line, folder);
 	switch (line.tiles.step) {
 	case TileStep::Plan:
 		return stepPlan(line, folder, limit);

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <numeric>
 
 namespace gpr::app {
 
@@ -178,7 +179,8 @@ private:
 			layouts.push_back(readRecordLayout(plan.inputs[i]));
 			const PlyRecordLayout& layout = layouts.back();
 			if (layout.vertices().count != plan.vertexNum[i] ||
-				layout.faces().count != plan.faceNum[i])
+				layout.faces().count != plan.faceNum[i] ||
+				!haveSameProperties(layout, layouts.front()))
 				failInput("'" + plan.inputs[i] + "' has changed since the plan was made.");
 		}
 		return layouts;
@@ -458,6 +460,14 @@ double SplitFacts::area() const
 	for (const Tile& tile : tiles)
 		sum += tile.area;
 	return sum;
+}
+
+bool SplitFacts::isSoup() const
+{
+	const auto vertexNum = [](std::uint64_t sum, const Tile& tile) { return sum + tile.vertexNum; };
+	const auto faceNum   = [](std::uint64_t sum, const Tile& tile) { return sum + tile.faceNum; };
+	return std::accumulate(tiles.begin(), tiles.end(), std::uint64_t(0), vertexNum) ==
+		   3 * std::accumulate(tiles.begin(), tiles.end(), std::uint64_t(0), faceNum);
 }
 
 SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,

@@ -25,6 +25,8 @@ struct SplitFacts {
 	std::vector<Tile> tiles;
 
 	double area() const;
+	/// Whether the input is a triangle soup: no two faces have a common vertex.
+	bool isSoup() const;
 };
 
 /// Cuts the inputs into tiles: each vertex belongs to its cell, each face to the lowest cell of its
