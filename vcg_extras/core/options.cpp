@@ -150,14 +150,8 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 
 double detailError(Detail detail)
 {
-	switch (detail) {
-	case Detail::Coarse:
-		return 0.01;
-	case Detail::Normal:
-		return 0.003;
-	default:
-		return 0.001;
-	}
+	if (detail == Detail::Coarse) return 0.01;
+	return detail == Detail::Normal ? 0.003 : 0.001;
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)

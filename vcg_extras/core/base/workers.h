@@ -74,10 +74,8 @@ public:
 		const std::size_t  grain    = pieceSize;
 		const std::size_t  pieceNum = (n + grain - 1) / grain;
 		std::vector<Value> part(pieceNum);
-		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				part[i] = body(i * grain, std::min(n, (i + 1) * grain));
-		});
+		forEach(pieceNum,
+				[&](std::size_t i) { part[i] = body(i * grain, std::min(n, (i + 1) * grain)); });
 		Value total = Value();
 		for (const Value& p : part)
 			total += p;
@@ -136,10 +134,8 @@ public:
 		for (std::size_t i = 0; i < part.size(); ++i)
 			start[i + 1] = start[i] + part[i].size();
 		Buffer<Value> all(start.back());
-		forRange(part.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				std::copy(part[i].begin(), part[i].end(), all.data() + start[i]);
-		});
+		forEach(part.size(),
+				[&](int i) { std::copy(part[i].begin(), part[i].end(), all.data() + start[i]); });
 		return all;
 	}
 
@@ -166,10 +162,8 @@ private:
 		if (grain == 0) grain = std::min(pieceSize, grainFor(n));
 		const std::size_t               pieceNum = (n + grain - 1) / grain;
 		std::vector<std::vector<Value>> part(pieceNum);
-		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				body(i * grain, std::min(n, (i + 1) * grain), part[i]);
-		});
+		forEach(pieceNum,
+				[&](std::size_t i) { body(i * grain, std::min(n, (i + 1) * grain), part[i]); });
 		return part;
 	}
 

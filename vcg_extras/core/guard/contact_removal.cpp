@@ -13,9 +13,7 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -17,9 +17,7 @@ constexpr std::size_t mostOfVertex = 64;
 
 bool mayMoveThere(const GuardedMesh& g, int v)
 {
-	bool mayMove = !g.isFixed(v);
-	forEachNeighbour(g.mesh, v, [&](int w) { mayMove = mayMove || !g.isFixed(w); });
-	return mayMove;
+	return !g.isFixed(v) || anyNeighbour(g.mesh, v, [&](int w) { return !g.isFixed(w); });
 }
 
 float squaredDistance(const Vec3f& p, const NamedTriangle& t)

@@ -224,12 +224,9 @@ private:
 
 	bool isBesideFlat(int v, int w) const
 	{
-		bool isBeside = false;
-		forEachOutgoing(m_, v, [&](int h) {
-			isBeside = isBeside ||
-					   ((m_.target(h) == w || m_.apex(h) == w) && hasZeroArea(m_.faceCross(h / 3)));
+		return anyOutgoing(m_, v, [&](int h) {
+			return (m_.target(h) == w || m_.apex(h) == w) && hasZeroArea(m_.faceCross(h / 3));
 		});
-		return isBeside;
 	}
 
 	Merge mergeOf(int v, int w) const

@@ -129,9 +129,7 @@ void PatchFilling::freeAround()
 		std::vector<int> freed;
 		for (int v = 0; v < g.mesh.vertexNum; ++v) {
 			if (!g.isFixed(v) || !mayFree(v)) continue;
-			bool isNext = false;
-			forEachNeighbour(g.mesh, v, [&](int w) { isNext = isNext || !g.isFixed(w); });
-			if (isNext) freed.push_back(v);
+			if (anyNeighbour(g.mesh, v, [&](int w) { return !g.isFixed(w); })) freed.push_back(v);
 		}
 		for (int v : freed)
 			g.vertex[std::size_t(v)].isFixed = false;

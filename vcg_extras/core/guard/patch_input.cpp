@@ -237,10 +237,8 @@ std::vector<char> deepVertices(const HalfEdgeMesh& result, const std::vector<Pat
 	const auto        isInside = [&](int v) { return role[std::size_t(v)] == PatchRole::Inside; };
 	std::vector<char> isDeep(role.size());
 	for (int v = 0; v < result.vertexNum; ++v) {
-		isDeep[std::size_t(v)] = isInside(v);
-		forEachNeighbour(result, v, [&](int w) {
-			isDeep[std::size_t(v)] = isDeep[std::size_t(v)] && isInside(w);
-		});
+		isDeep[std::size_t(v)] =
+			isInside(v) && !anyNeighbour(result, v, [&](int w) { return !isInside(w); });
 	}
 	return isDeep;
 }

@@ -229,9 +229,7 @@ private:
 
 	bool meetsInside(int v) const
 	{
-		bool meets = false;
-		forEachNeighbour(m_, v, [&](int w) { meets = meets || isInside(w); });
-		return meets;
+		return anyNeighbour(m_, v, [&](int w) { return isInside(w); });
 	}
 
 	/// A border label that appears twice round v with other labels between, or -1.

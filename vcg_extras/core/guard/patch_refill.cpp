@@ -400,9 +400,7 @@ std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 						   const std::vector<char>& marked)
 {
 	const auto isInside = [&](int v) {
-		bool areMarked = true;
-		forEachOutgoing(m, v, [&](int h) { areMarked = areMarked && marked[std::size_t(h / 3)]; });
-		return areMarked;
+		return !anyOutgoing(m, v, [&](int h) { return !marked[std::size_t(h / 3)]; });
 	};
 	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
 	return vertices;

@@ -212,9 +212,7 @@ private:
 
 	bool isInner(int v) const
 	{
-		bool inner = true;
-		forEachOutgoing(m_, v, [&](int h) { inner = inner && !isBorder(h); });
-		return inner && !m_.isBorderVertex(v);
+		return !m_.isBorderVertex(v) && !anyOutgoing(m_, v, [&](int h) { return isBorder(h); });
 	}
 };
 
@@ -240,10 +238,8 @@ std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
 bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
 {
 	std::atomic<bool> foundOther{false};
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end && !foundOther; ++f) {
-			if (!isThin(mesh.position, &mesh.triangle[3 * f])) foundOther = true;
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		if (!foundOther && !isThin(mesh.position, &mesh.triangle[3 * f])) foundOther = true;
 	});
 	return !foundOther;
 }

@@ -11,7 +11,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <string>
 
 namespace gpr {
 
@@ -71,11 +70,6 @@ Vec3d alongAxis(int axis, double by)
 	Vec3d v;
 	setCoordinate(v, axis, by);
 	return v;
-}
-
-PeriodicBorder::Edge ordered(int a, int b)
-{
-	return std::minmax({a, b});
 }
 
 /// A vertex without a translate, and the missing place.
@@ -209,12 +203,12 @@ std::vector<PeriodicBorder::Edge> PeriodicBorder::alone(const std::vector<Edge>&
 {
 	std::set<Edge> known;
 	for (const Edge& e : edges)
-		known.insert(ordered(e.first, e.second));
+		known.insert(std::minmax({e.first, e.second}));
 	const auto isAlone = [&](const Edge& e) {
 		for (const auto& by : {before_, after_}) {
 			for (const std::vector<int>& other : by) {
 				const int a = other[std::size_t(e.first)], b = other[std::size_t(e.second)];
-				if (a != none && b != none && known.count(ordered(a, b)) != 0) return false;
+				if (a != none && b != none && known.count(std::minmax({a, b})) != 0) return false;
 			}
 		}
 		return true;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
-#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -496,9 +495,7 @@ private:
 
 	bool ringIsUnused(int v) const
 	{
-		bool unused = !isUsed(v);
-		forEachNeighbour(m_, v, [&](int w) { unused = unused && !isUsed(w); });
-		return unused;
+		return !isUsed(v) && !anyNeighbour(m_, v, [&](int w) { return isUsed(w); });
 	}
 
 	void markRing(int v)

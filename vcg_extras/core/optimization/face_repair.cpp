@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_repair.h"
 
-#include "exact_count.h"
 #include "face_goals.h"
 
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -10,7 +9,6 @@
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 

@@ -4,7 +4,6 @@
 
 #include "local_refinement.h"
 
-#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/edit/patch_distance.h>
 #include <vcg_extras/core/surface/certified_distance.h>

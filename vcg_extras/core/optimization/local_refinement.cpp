@@ -3,7 +3,6 @@
 #include "local_refinement.h"
 
 #include "face_goals.h"
-#include "worst_distances.h"
 
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/constraint.h>
@@ -12,11 +11,9 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
-#include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace gpr {

@@ -5,7 +5,6 @@
 #include "vertex_removal.h"
 
 #include <vcg_extras/core/base/portable_math.h>
-#include <vcg_extras/core/surface/result_mesh.h>
 
 #include <algorithm>
 

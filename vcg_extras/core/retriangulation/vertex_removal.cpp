@@ -209,9 +209,7 @@ private:
 
 bool reachesRing(const GridCell& cell, const HalfEdgeMesh& m, int v)
 {
-	bool all = true;
-	forEachNeighbour(m, v, [&](int w) { all = all && cell.reaches(m.position[w]); });
-	return all;
+	return !anyNeighbour(m, v, [&](int w) { return !cell.reaches(m.position[w]); });
 }
 
 /// Runs a pass, grid cell by grid cell, over the vertices still to be removed with all neighbours

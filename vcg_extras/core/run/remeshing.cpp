@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remeshing.h"
 
-#include "plan.h"
-#include "products.h"
 #include "result_stages.h"
 #include "sample_stages.h"
 #include "surface_stages.h"
 
-#include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/feature_export.h>
-#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/output/export.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <optional>
 #include <random>
-#include <string>
-#include <utility>
 
 namespace gpr {
 

@@ -25,7 +25,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace gpr {
 

@@ -12,7 +12,6 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace gpr {
 

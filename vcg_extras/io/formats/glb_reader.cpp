@@ -455,19 +455,12 @@ private:
 
 } // namespace
 
-InputMesh readGlb(std::string_view file, const WantedAttributes& wanted)
+InputMesh readGlb(std::string_view file, bool wantsAttributes)
 {
 	const GlbChunks glb = glbChunksOf(file);
-	GlbReading      reading(glb, wanted.carried);
+	GlbReading      reading(glb, wantsAttributes);
 	reading.readScene();
 	return reading.takeMesh();
-}
-
-InputMesh readGlb(std::string_view file)
-{
-	WantedAttributes wanted;
-	wanted.carried = true;
-	return readGlb(file, wanted);
 }
 
 } // namespace gpr::app

@@ -8,18 +8,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace gpr::app {
 
 namespace {
-
-Edge edgeOf(std::int32_t a, std::int32_t b)
-{
-	return {std::min(a, b), std::max(a, b)};
-}
 
 class BorderSplitter {
 public:
@@ -126,7 +118,7 @@ private:
 	{
 		for (std::size_t k = 0; k < 3; ++k) {
 			const std::int32_t a = corner(f, k), b = corner(f, k + 1);
-			const auto         at = split_.find(edgeOf(a, b));
+			const auto         at = split_.find(std::minmax({a, b}));
 			if (at == split_.end()) continue;
 			splitFaceAt(f, k, at->second, a < b, toDo);
 			return;

@@ -12,8 +12,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <memory>
 
 namespace gpr::app {
 
@@ -23,9 +21,6 @@ namespace fs = std::filesystem;
 
 /// Shares of the work, for even progress.
 constexpr double shareOfVertices = 0.25, shareOfFaces = 0.45;
-/// Records between two checks of the run limit.
-constexpr std::uint64_t pollMask = 0xffff;
-
 /// A vertex of a tile, lent to another tile.
 struct Lent {
 	std::uint32_t tile, number;
