@@ -97,6 +97,56 @@ void checkCarried(MeshFormat format, const std::string& path, const WantedAttrib
 	failUsage("the selection is read from PLY files only, not from '" + path + "'.");
 }
 
+/// Makes named materials of a texture a column of labels with names, as PLY holds names of labels
+/// only. Numbers of images stay numbers of images.
+void nameMaterials(MeshAttributes& attributes)
+{
+	std::vector<std::int32_t>& image = attributes.texture.image;
+	if (attributes.materials.empty() || image.empty()) return;
+	if (columnNamed(attributes.ofFaces, "material") != nullptr) return;
+	attributes.ofFaces.push_back(
+		{"material", PlyType::Int32, {image.begin(), image.end()}, attributes.materials});
+	image.clear();
+}
+
+/// Readers take a PLY header of a megabyte at most.
+void dropNamesBeyondHeader(MeshAttributes& attributes)
+{
+	constexpr std::size_t mostBytes = 1 << 19, bytesPerLine = 64;
+	std::size_t           bytes = 0;
+	for (const ValueColumn& column : attributes.ofFaces) {
+		for (const std::string& name : column.names)
+			bytes += name.size() + column.name.size() + bytesPerLine;
+	}
+	if (bytes <= mostBytes) return;
+	for (ValueColumn& column : attributes.ofFaces)
+		column.names.clear();
+	attributes.lost.push_back("the names of regions, which are too many for the header");
+}
+
+/// Changes the relative name of a file beside the input to its name seen from another folder. The
+/// name stays if no such file is there, with words in `lost`.
+void seeFrom(const std::string& folder, std::string& name, MeshAttributes& attributes)
+{
+	namespace fs = std::filesystem;
+	std::error_code error;
+	const fs::path  from = attributes.folder, file = from / name;
+	if (from.empty() || name.empty() || fs::path(name).is_absolute()) return;
+	if (fs::equivalent(from, folder, error)) return;
+	if (!fs::exists(file, error))
+		attributes.lost.push_back("the place of '" + name + "', which is not beside the input");
+	else
+		name = fs::proximate(file, folder, error).generic_string();
+}
+
+void seeFilesFrom(const std::string& folder, MeshFormat format, MeshAttributes& attributes)
+{
+	if (format == MeshFormat::Obj) seeFrom(folder, attributes.materialLibrary, attributes);
+	if (format != MeshFormat::Ply) return;
+	for (std::string& image : attributes.images)
+		seeFrom(folder, image, attributes);
+}
+
 } // namespace
 
 WantedAttributes neededBy(const RemeshOptions& options)
@@ -150,60 +200,6 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 	}
 	return mesh;
 }
-
-namespace {
-
-/// Makes named materials of a texture a column of labels with names, as PLY holds names of labels
-/// only. Numbers of images stay numbers of images.
-void nameMaterials(MeshAttributes& attributes)
-{
-	std::vector<std::int32_t>& image = attributes.texture.image;
-	if (attributes.materials.empty() || image.empty()) return;
-	if (columnNamed(attributes.ofFaces, "material") != nullptr) return;
-	attributes.ofFaces.push_back(
-		{"material", PlyType::Int32, {image.begin(), image.end()}, attributes.materials});
-	image.clear();
-}
-
-/// Readers take a PLY header of a megabyte at most.
-void dropNamesBeyondHeader(MeshAttributes& attributes)
-{
-	constexpr std::size_t mostBytes = 1 << 19, bytesPerLine = 64;
-	std::size_t           bytes = 0;
-	for (const ValueColumn& column : attributes.ofFaces) {
-		for (const std::string& name : column.names)
-			bytes += name.size() + column.name.size() + bytesPerLine;
-	}
-	if (bytes <= mostBytes) return;
-	for (ValueColumn& column : attributes.ofFaces)
-		column.names.clear();
-	attributes.lost.push_back("the names of regions, which are too many for the header");
-}
-
-/// Changes the relative name of a file beside the input to its name seen from another folder. The
-/// name stays if no such file is there, with words in `lost`.
-void seeFrom(const std::string& folder, std::string& name, MeshAttributes& attributes)
-{
-	namespace fs = std::filesystem;
-	std::error_code error;
-	const fs::path  from = attributes.folder, file = from / name;
-	if (from.empty() || name.empty() || fs::path(name).is_absolute()) return;
-	if (fs::equivalent(from, folder, error)) return;
-	if (!fs::exists(file, error))
-		attributes.lost.push_back("the place of '" + name + "', which is not beside the input");
-	else
-		name = fs::proximate(file, folder, error).generic_string();
-}
-
-void seeFilesFrom(const std::string& folder, MeshFormat format, MeshAttributes& attributes)
-{
-	if (format == MeshFormat::Obj) seeFrom(folder, attributes.materialLibrary, attributes);
-	if (format != MeshFormat::Ply) return;
-	for (std::string& image : attributes.images)
-		seeFrom(folder, image, attributes);
-}
-
-} // namespace
 
 void tellLost(MeshFormat format, MeshAttributes& attributes)
 {

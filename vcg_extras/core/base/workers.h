@@ -45,8 +45,9 @@ public:
 	void forRange(std::size_t n, const Body& body)
 	{
 		const std::size_t grain = grainFor(n);
-		run((n + grain - 1) / grain,
-			[&](std::size_t piece, int) { body(piece * grain, std::min(n, (piece + 1) * grain)); });
+		forTasks((n + grain - 1) / grain, [&](std::size_t piece, int) {
+			body(piece * grain, std::min(n, (piece + 1) * grain));
+		});
 	}
 
 	/// Calls visit(i) for every i in [0, n), in any order, in parallel.
@@ -63,7 +64,12 @@ public:
 	template <class Body>
 	void forTasks(std::size_t taskNum, const Body& body)
 	{
-		run(taskNum, body);
+		runTasks(
+			taskNum,
+			[](void* b, std::size_t task, int worker) {
+				(*static_cast<const Body*>(b))(task, worker);
+			},
+			const_cast<Body*>(&body));
 	}
 
 	/// Sum of body(begin, end) over pieces of fixed size, added in order: the same bits for any
@@ -169,17 +175,6 @@ private:
 
 	static std::size_t grainFor(std::size_t n);
 	void               runTasks(std::size_t taskNum, Task task, void* body);
-
-	template <class Body>
-	void run(std::size_t taskNum, const Body& body)
-	{
-		runTasks(
-			taskNum,
-			[](void* b, std::size_t task, int worker) {
-				(*static_cast<const Body*>(b))(task, worker);
-			},
-			const_cast<Body*>(&body));
-	}
 
 	std::unique_ptr<Pool> pool_;
 };

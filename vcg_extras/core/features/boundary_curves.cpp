@@ -351,7 +351,7 @@ private:
 	/// Makes samples of the stops from the given stop on, and of the arcs between all stops.
 	void sampleFrom(const Curve& c, std::size_t firstStop)
 	{
-		const SpacedStops& spaced = spaced_[std::size_t(index_)];
+		const SpacedStops& spaced = spaced_[index_];
 		for (std::size_t i = 0; i < spaced.between.size(); ++i) {
 			if (i >= firstStop) put(c, spaced.stop[i], spaced.areCorners);
 			putAll(c, spaced.between[i]);

@@ -144,7 +144,7 @@ private:
 	/// Whether a place is farther off by the quadrics, which are weighted by area.
 	bool isFarther(int v, const Vec3d& place) const
 	{
-		const GuardedVertex& vertex = g_.vertex[std::size_t(v)];
+		const GuardedVertex& vertex = g_.vertex[v];
 		const double         there  = vertex.quadric.at(place);
 		return there > farthest_ * farthest_ * double(vertex.area) &&
 			   there > vertex.quadric.at(Vec3d(m_.position[v]));
@@ -160,7 +160,7 @@ private:
 			area += here;
 		}
 		const Vec3d barycentre = area > 0 ? sum * (1 / area) : Vec3d(m_.position[v]);
-		Quadric     q          = g_.vertex[std::size_t(v)].quadric;
+		Quadric     q          = g_.vertex[v].quadric;
 		q.addPoint(barycentre, barycentreWeight * q.trace());
 		return q.lowest(Vec3d(m_.position[v]));
 	}

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -138,9 +137,8 @@ class Contraction {
 public:
 	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) :
 			mesh_(mesh), poller_(workers), firstOf_(std::size_t(mesh.vertexNum), none),
-			newName_(std::size_t(mesh.vertexNum))
+			newName_(numbersBelow(std::size_t(mesh.vertexNum)))
 	{
-		std::iota(newName_.begin(), newName_.end(), 0);
 		findClusters(edges);
 		findFaces(workers);
 	}

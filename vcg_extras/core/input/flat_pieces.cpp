@@ -75,9 +75,8 @@ class FlatFinder {
 public:
 	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin, Workers& workers) :
 			m_(mesh), poller_(workers), thin_(std::move(thin)), seen_(thin_.size(), 0),
-			gone_(thin_.size(), 0), pieceOf_(thin_.size())
+			gone_(thin_.size(), 0), pieceOf_(numbersBelow(thin_.size()))
 	{
-		std::iota(pieceOf_.begin(), pieceOf_.end(), 0);
 		for (int f : thin_)
 			extent_.emplace_back(m_, f);
 	}

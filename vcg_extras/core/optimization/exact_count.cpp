@@ -14,6 +14,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace gpr {
 
@@ -36,9 +37,7 @@ struct CountChange {
 
 	bool operator<(const CountChange& o) const
 	{
-		if (energy != o.energy) return energy < o.energy;
-		if (rank != o.rank) return rank < o.rank;
-		return halfEdge < o.halfEdge;
+		return std::tie(energy, rank, halfEdge) < std::tie(o.energy, o.rank, o.halfEdge);
 	}
 };
 

@@ -299,7 +299,7 @@ void turnTetrahedra(const Surface& surface, ResultMesh& r, Workers& workers)
 	for (int f : first) {
 		const int a = m.origin[3 * f], b = m.origin[3 * f + 1];
 		std::swap(m.position[a], m.position[b]);
-		std::swap(r.vertex[std::size_t(a)], r.vertex[std::size_t(b)]);
+		std::swap(r.vertex[a], r.vertex[b]);
 	}
 }
 

@@ -78,9 +78,9 @@ std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>&
 	const NearestOnMesh tree(m, workers);
 	std::vector<Split>  splits(points.size());
 	workers.forEach(points.size(), [&](int i) {
-		const FarPoint& point  = points[std::size_t(i)];
-		const int       h      = edgeToSplit(m, tree.nearest(point.position));
-		splits[std::size_t(i)] = {std::minmax(int(m.origin[h]), m.target(h)), point};
+		const FarPoint& point = points[i];
+		const int       h     = edgeToSplit(m, tree.nearest(point.position));
+		splits[i]             = {std::minmax(int(m.origin[h]), m.target(h)), point};
 	});
 	std::stable_sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
 		if (a.edge != b.edge) return a.edge < b.edge;

@@ -229,24 +229,6 @@ void runPass(const HalfEdgeMesh& m, const ColouredGrid& cells, const PassRules& 
 	}
 }
 
-/// Removes the remaining vertices serially, without a bound on edges. Without labels, passes with
-/// sameLabelOnly are skipped.
-void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
-				Workers& workers)
-{
-	Remover remover(m, label, HUGE_VALF);
-	for (const PassRules& rules : passRules) {
-		if (rest.empty()) return;
-		if (rules.sameLabelOnly && label.empty()) continue;
-		std::size_t left = 0;
-		for (int v : rest) {
-			workers.poll();
-			if (!remover.remove(v, rules)) rest[left++] = v;
-		}
-		rest.resize(left);
-	}
-}
-
 } // namespace
 
 ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
@@ -266,14 +248,24 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 		if (isThere[k]) cells.todo.push_back(work.vertices[k]);
 	}
 	std::sort(cells.todo.begin(), cells.todo.end());
-	removeRest(m, cells.label, cells.todo, workers);
+	collapseRest(m, cells.label, cells.todo, workers);
 	return resultOfSamples(std::move(cells), surface, sampling, boundary, workers);
 }
 
-void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)
+void collapseRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
+				  Workers& workers)
 {
-	const std::vector<int> noLabels;
-	removeRest(m, noLabels, rest, workers);
+	Remover remover(m, label, HUGE_VALF);
+	for (const PassRules& rules : passRules) {
+		if (rest.empty()) return;
+		if (rules.sameLabelOnly && label.empty()) continue;
+		std::size_t left = 0;
+		for (int v : rest) {
+			workers.poll();
+			if (!remover.remove(v, rules)) rest[left++] = v;
+		}
+		rest.resize(left);
+	}
 }
 
 } // namespace gpr

@@ -50,6 +50,31 @@ void tellSampleNum(RunContext& run, std::int64_t wanted, std::size_t num)
 			 std::to_string(wanted) + ".");
 }
 
+/// The error bound of the options, and the vertex counts allowed in trials.
+ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
+{
+	ErrorGoal goal;
+	goal.largest = largestError(options, extent.diagonal);
+	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
+	const double edge = edgePerError * goal.largest;
+	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
+	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
+	return goal;
+}
+
+Request requestOf(const Call& call)
+{
+	Request          request{call.options, std::int64_t(call.input.vertexNum)};
+	const TargetMode mode = call.options.targetMode;
+	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
+		const MeshExtent extent = extentOf(call.input);
+		request.purpose         = Purpose::Forecast;
+		request.goal            = errorGoalOf(call.input, call.options, extent);
+		request.diagonal        = extent.diagonal;
+	}
+	return request;
+}
+
 } // namespace
 
 RemeshOptions Call::optionsForMesh(std::size_t vertexNum) const
@@ -183,35 +208,6 @@ void Remeshing::exportSamples()
 	samples->diskRadius = radius;
 	tellSampleNum(setup_.run, plan_.decisions().vertexNum, samples->points.size());
 }
-
-namespace {
-
-/// The error bound of the options, and the vertex counts allowed in trials.
-ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
-{
-	ErrorGoal goal;
-	goal.largest = largestError(options, extent.diagonal);
-	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
-	const double edge = edgePerError * goal.largest;
-	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
-	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
-	return goal;
-}
-
-Request requestOf(const Call& call)
-{
-	Request          request{call.options, std::int64_t(call.input.vertexNum)};
-	const TargetMode mode = call.options.targetMode;
-	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
-		const MeshExtent extent = extentOf(call.input);
-		request.purpose         = Purpose::Forecast;
-		request.goal            = errorGoalOf(call.input, call.options, extent);
-		request.diagonal        = extent.diagonal;
-	}
-	return request;
-}
-
-} // namespace
 
 std::int64_t forecastVertexNum(const Call& call)
 {
