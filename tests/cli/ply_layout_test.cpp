@@ -331,7 +331,7 @@ TEST(PlyLayout, DamagedBytesAreReadOrRefusedWithoutHarm)
 			file[random() % file.size()] = char(random());
 		try {
 			for (const InputMesh& mesh : {readPly(file), lookAtPly(file)}) {
-				for (const std::int32_t i : gpr::trianglesOf(mesh.view())) {
+				for (const std::int32_t i : gpr::triangleMeshOf(mesh.view()).triangles) {
 					ASSERT_GE(i, 0) << seed;
 					ASSERT_LT(std::size_t(i), mesh.vertexNum()) << seed;
 				}

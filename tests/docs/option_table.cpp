@@ -218,7 +218,8 @@ std::vector<Model> modelsOf(const std::vector<std::string>& names)
 	for (const std::string& name : names) {
 		if (folder == nullptr) break;
 		const std::string path = std::string(folder) + "/" + name + ".ply";
-		if (std::ifstream(path)) models.push_back({name, test::copyOf(app::readMesh(path).view())});
+		if (std::ifstream(path))
+			models.push_back({name, triangleMeshOf(app::readMesh(path).view())});
 	}
 	return models;
 }
@@ -227,8 +228,8 @@ std::vector<Model> modelsOf(const std::vector<std::string>& names)
 
 int main(int argc, char** argv)
 {
-	const Model              bunny = {"bunny",
-									  test::copyOf(app::readMesh("/usr/share/glmark2/models/bunny.obj").view())};
+	const Model bunny = {
+		"bunny", triangleMeshOf(app::readMesh("/usr/share/glmark2/models/bunny.obj").view())};
 	std::vector<Model>       scans = modelsOf({"igea_269k"});
 	const std::vector<Model> parts = modelsOf({"fandisk_13k_cad", "rockerarm_20k"});
 	scans.insert(scans.begin(), bunny);

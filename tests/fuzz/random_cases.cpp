@@ -66,7 +66,9 @@ std::string complaintsAbout(const std::string& target, const std::string& bytes)
 	if (target == "obj") return test::complaintsAbout(app::readObj, bytes);
 	if (target == "off") return test::complaintsAbout(app::readOff, bytes);
 	if (target == "stl") return test::complaintsAbout(app::readStl, bytes);
-	if (target == "glb") return test::complaintsAbout(app::readGlb, bytes);
+	if (target == "glb")
+		return test::complaintsAbout([](std::string_view file) { return app::readGlb(file); },
+									 bytes);
 	const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
 	if (target == "parts") return test::complaintsAbout(test::caseOfParts(data, bytes.size()));
 	const auto size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;

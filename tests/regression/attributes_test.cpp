@@ -36,7 +36,7 @@ app::InputMesh readWithAttributes(const std::string& path)
 class NearestPoints {
 public:
 	explicit NearestPoints(const MeshView& view) :
-			workers_(2, nullptr), view_(view), surface_(surfaceOf(copyOf(view), workers_)),
+			workers_(2, nullptr), view_(view), surface_(surfaceOf(triangleMeshOf(view), workers_)),
 			tree_(surface_.mesh, workers_)
 	{
 	}

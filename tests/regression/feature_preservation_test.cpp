@@ -38,7 +38,7 @@ protected:
 	{
 		const ModelFile model = findModel(GetParam().file);
 		if (!model.isThere()) GTEST_SKIP() << model.missing;
-		mesh                  = copyOf(app::readMesh(model.path).view());
+		mesh                  = triangleMeshOf(app::readMesh(model.path).view());
 		options.targetPercent = 20;
 		features              = detectFeatures(mesh.view(), options).edges;
 		options.featureMode   = FeatureMode::Off;

@@ -165,7 +165,7 @@ TEST_P(RealMesh, StaysWithinItsBands)
 	const Band&     band  = GetParam();
 	const ModelFile model = findModel(band.file);
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
-	TriangleMesh mesh = copyOf(app::readMesh(model.path).view());
+	TriangleMesh mesh = triangleMeshOf(app::readMesh(model.path).view());
 	if (isOpened(band)) mesh = withoutLowestFifth(mesh);
 	const RemeshOptions options = optionsOf(band);
 	const RemeshResult  r       = remesh(mesh.view(), options);

@@ -44,13 +44,4 @@ std::string shortName(const std::string& file)
 	return file.substr(0, file.find('_'));
 }
 
-TriangleMesh copyOf(const MeshView& view)
-{
-	TriangleMesh mesh;
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		mesh.positions.push_back(view.position(v));
-	mesh.triangles = trianglesOf(view);
-	return mesh;
-}
-
 } // namespace gpr::test

@@ -27,8 +27,6 @@ ModelFile findModel(const std::string& name);
 /// The name of a file up to the first underscore, for the names of tests.
 std::string shortName(const std::string& file);
 
-TriangleMesh copyOf(const MeshView& view);
-
 } // namespace gpr::test
 
 #endif

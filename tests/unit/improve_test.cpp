@@ -16,6 +16,7 @@
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
+#include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
 #include <cmath>

@@ -45,7 +45,7 @@ TYPED_TEST(MeshConversion, ViewsACompactMeshInPlace)
 		EXPECT_EQ(view.position(v).x, double(m.vert[v].P()[0]));
 		EXPECT_EQ(view.position(v).y, double(m.vert[v].P()[1]));
 	}
-	EXPECT_EQ(gpr::trianglesOf(view), (std::vector<std::int32_t>{0, 1, 2, 0, 2, 3}));
+	EXPECT_EQ(gpr::triangleMeshOf(view).triangles, (std::vector<std::int32_t>{0, 1, 2, 0, 2, 3}));
 	EXPECT_EQ(flat.Face(1), &m.face[1]);
 }
 

@@ -64,13 +64,7 @@ bool readWishes(int argc, char** argv, Wishes& wishes)
 
 TriangleMesh readBase(const std::string& path)
 {
-	const app::InputMesh input = app::readMesh(path);
-	const MeshView       view  = input.view();
-	TriangleMesh         mesh;
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		mesh.positions.push_back(view.position(v));
-	mesh.triangles = trianglesOf(view);
-	return mesh;
+	return triangleMeshOf(app::readMesh(path).view());
 }
 
 void makeMesh(const Wishes& wishes)

@@ -101,15 +101,6 @@ struct MeshView {
 	}
 };
 
-/// The vertex indices of all corners.
-inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
-{
-	std::vector<std::int32_t> all(3 * mesh.faceNum);
-	for (std::size_t c = 0; c < all.size(); ++c)
-		all[c] = mesh.vertexOf(c);
-	return all;
-}
-
 /// A point of the input: a face and the barycentric weights of its three corners.
 struct BarycentricPoint {
 	std::int32_t face      = -1;
@@ -135,6 +126,17 @@ struct TriangleMesh {
 	std::size_t faceNum() const { return triangles.size() / 3; }
 	MeshView    view() const { return MeshView(positions, triangles); }
 };
+
+/// A copy of the positions and triangles.
+inline TriangleMesh triangleMeshOf(const MeshView& mesh)
+{
+	TriangleMesh copy;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v)
+		copy.positions.push_back(mesh.position(v));
+	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c)
+		copy.triangles.push_back(mesh.vertexOf(c));
+	return copy;
+}
 
 /// A mesh with marks as in MeshView; empty: no such marks.
 struct MarkedMesh : TriangleMesh {

@@ -31,29 +31,23 @@ bool isPositive(double value, double most = std::numeric_limits<double>::max())
 	return value > 0 && value <= most;
 }
 
-Rule ruleOfTarget(const RemeshOptions& o)
+void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 {
 	constexpr double mostCount = 2147483647;
-	switch (o.targetMode) {
-	case TargetMode::VertexNum:
-		return {isWithin(double(o.targetVertexNum), 1, mostCount),
-				"The number of vertices must be between 1 and 2147483647."};
-	case TargetMode::FaceNum:
-		return {isWithin(double(o.targetFaceNum), 1, mostCount),
-				"The number of faces must be between 1 and 2147483647."};
-	case TargetMode::Percent:
-		return {isPositive(o.targetPercent, 10000),
-				"The percentage must be above 0 and at most 10000."};
-	case TargetMode::EdgeLength:
-		return {isPositive(o.targetEdgeLen), "The edge length must be a finite number above 0."};
-	case TargetMode::Detail:
-		return {o.targetDetail != Detail::None, "No detail is given."};
-	case TargetMode::MaxError:
-		return {isPositive(o.targetMaxError), "The largest error must be a finite number above 0."};
-	case TargetMode::Sizes:
-		break;
-	}
-	return {true, ""};
+	const TargetMode mode      = o.targetMode;
+	addComplaints(
+		{{mode != TargetMode::VertexNum || isWithin(double(o.targetVertexNum), 1, mostCount),
+		  "The number of vertices must be between 1 and 2147483647."},
+		 {mode != TargetMode::FaceNum || isWithin(double(o.targetFaceNum), 1, mostCount),
+		  "The number of faces must be between 1 and 2147483647."},
+		 {mode != TargetMode::Percent || isPositive(o.targetPercent, 10000),
+		  "The percentage must be above 0 and at most 10000."},
+		 {mode != TargetMode::EdgeLength || isPositive(o.targetEdgeLen),
+		  "The edge length must be a finite number above 0."},
+		 {mode != TargetMode::Detail || o.targetDetail != Detail::None, "No detail is given."},
+		 {mode != TargetMode::MaxError || isPositive(o.targetMaxError),
+		  "The largest error must be a finite number above 0."}},
+		complaints);
 }
 
 void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
@@ -150,21 +144,15 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 
 double detailError(Detail detail)
 {
-	switch (detail) {
-	case Detail::Coarse:
-		return 0.01;
-	case Detail::Normal:
-		return 0.003;
-	default:
-		return 0.001;
-	}
+	if (detail == Detail::Coarse) return 0.01;
+	return detail == Detail::Normal ? 0.003 : 0.001;
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)
 {
 	std::vector<std::string> complaints;
-	addComplaints({ruleOfTarget(o),
-				   {isWithin(o.umbrellaSteps, 0, 1000),
+	checkTarget(o, complaints);
+	addComplaints({{isWithin(o.umbrellaSteps, 0, 1000),
 					"The number of umbrella steps must be between 0 and 1000."},
 				   {isWithin(o.flipPasses, 0, 1000),
 					"The number of flip passes must be between 0 and 1000."}},

@@ -5,7 +5,6 @@
 
 #include "parameter_table.h"
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

@@ -17,6 +17,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace gpr {
@@ -46,26 +47,16 @@ Failure failureAtHand()
 	}
 }
 
-void nameSmallest(const Failure& failure, RemeshResult& result)
-{
-	result.smallestVertexNum = failure.smallestVertexNum;
-}
-
-template <class Result>
-void nameSmallest(const Failure&, Result&)
-{
-}
-
 /// A result with only status, message, report and notes.
 template <class Result>
-Result failed(const Failure& failure, Result&& soFar)
+Result failed(const Failure& failure, Outcome&& soFar)
 {
 	Result result;
-	result.status  = failure.status;
-	result.message = failure.message;
-	result.report  = std::move(soFar.report);
-	result.notes   = std::move(soFar.notes);
-	nameSmallest(failure, result);
+	static_cast<Outcome&>(result) = std::move(soFar);
+	result.status                 = failure.status;
+	result.message                = failure.message;
+	if constexpr (std::is_same_v<Result, RemeshResult>)
+		result.smallestVertexNum = failure.smallestVertexNum;
 	return result;
 }
 
@@ -81,7 +72,7 @@ Result guarded(const Body& body, const Arguments&... arguments)
 		result.report.remeshSeconds = StageClock::secondsSince(start);
 	}
 	catch (...) {
-		result = failed(failureAtHand(), std::move(result));
+		result = failed<Result>(failureAtHand(), std::move(result));
 	}
 	returnReleasedMemory(); // the caller may need memory
 	return result;

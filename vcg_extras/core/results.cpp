@@ -6,27 +6,16 @@ namespace gpr {
 
 const char* statusName(Status status)
 {
-	switch (status) {
-	case Status::Ok:
-		return "ok";
-	case Status::BadOptions:
-		return "bad options";
-	case Status::UnusableInput:
-		return "unusable input";
-	case Status::CountTooSmall:
-		return "count too small";
-	case Status::PromiseBroken:
-		return "promise broken";
-	case Status::OutOfMemory:
-		return "out of memory";
-	case Status::Cancelled:
-		return "cancelled";
-	case Status::OutOfTime:
-		return "out of time";
-	case Status::InternalError:
-		return "internal error";
-	}
-	return "unknown";
+	constexpr const char* names[] = {"ok",
+									 "bad options",
+									 "unusable input",
+									 "count too small",
+									 "promise broken",
+									 "out of memory",
+									 "cancelled",
+									 "out of time",
+									 "internal error"}; // by Status
+	return names[int(status)];
 }
 
 } // namespace gpr

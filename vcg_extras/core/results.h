@@ -27,12 +27,17 @@ enum class Status {
 	InternalError,
 };
 
-/// A result mesh, or the reason of a refusal.
-struct RemeshResult {
+/// The common parts of all results.
+struct Outcome {
 	Status                   status = Status::InternalError;
 	std::string              message; ///< empty if Ok; otherwise a sentence for the user
 	std::vector<std::string> notes;   ///< sentences for the user, with every status
-	TriangleMesh             mesh;    ///< in the frame of the input
+	RemeshReport             report;
+};
+
+/// A result mesh, or the reason of a refusal.
+struct RemeshResult : Outcome {
+	TriangleMesh mesh; ///< in the frame of the input
 	/// Per result vertex: its point on the input. Empty without surfacePointsOfVertices.
 	std::vector<BarycentricPoint> surfacePoints;
 	/// Per result face: the point on the input of its middle. Empty without surfacePointsOfFaces.
@@ -46,20 +51,15 @@ struct RemeshResult {
 	std::vector<std::int32_t> callersFace;
 	std::vector<std::int32_t> sampleOf; ///< retriangulate: the sample of each vertex, or -1
 	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the least possible count
-	RemeshReport report;
 };
 
 /// Points of a geodesic Poisson-disk sampling.
-struct SamplingResult {
-	Status                        status = Status::InternalError;
-	std::string                   message;
-	std::vector<std::string>      notes;
+struct SamplingResult : Outcome {
 	std::vector<Vec3d>            points;        ///< in the frame of the input
 	std::vector<BarycentricPoint> surfacePoints; ///< per point: its face of the input and weights
 	std::vector<double>           radii;         ///< per point: radius of its disk, mesh units
 	double diskRadius = 0; ///< radius of the largest disks, mesh units: r of eq. (1) if all are
-	///< equal; two points are (1-ε) times their mean radius apart, or more
-	RemeshReport report;
+						   ///< equal; two points are (1-ε) times their mean radius apart, or more
 };
 
 /// An edge of the input on a feature line.
@@ -80,17 +80,14 @@ struct FeatureFigures {
 	double       minLength   = 0; ///< length below which lines were dropped, mesh units
 };
 
-/// Features of the input, in the order of its vertices and faces.
-struct FeatureResult {
-	Status                    status = Status::InternalError;
-	std::string               message;
-	std::vector<std::string>  notes;
+/// Features of the input, in the order of its vertices and faces. The report has input, cleaned,
+/// stages, threads and seconds only.
+struct FeatureResult : Outcome {
 	std::vector<float>        vertexStrength; ///< per vertex, degrees in [0, 180]
 	std::vector<std::uint8_t> vertexFeature;  ///< per vertex: VertexFeature bits, 0 = no feature
 	std::vector<std::uint8_t> faceMark;       ///< per face: 1 if a vertex of the face is marked
 	std::vector<FeatureEdge>  edges;
 	FeatureFigures            figures;
-	RemeshReport              report; ///< input, cleaned, stages, threads and seconds only
 };
 
 /// The name of a status for logs and reports: "ok", "cancelled", ...

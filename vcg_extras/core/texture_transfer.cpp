@@ -5,6 +5,7 @@
 #include "carry_over.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh/same_place.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace gpr {
 
@@ -40,9 +40,8 @@ Box<double> boxOf(const MeshView& mesh)
 /// and welds, get the same number.
 std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 {
-	std::vector<std::int32_t> place(mesh.vertexNum);
-	std::iota(place.begin(), place.end(), 0);
-	const Box<double> box = boxOf(mesh);
+	std::vector<std::int32_t> place = numbersBelow(mesh.vertexNum);
+	const Box<double>         box   = boxOf(mesh);
 	if (!canBeFramed(box)) return place;
 	const Frame    frame = frameOf(box);
 	SamePlaceTable table(mesh.vertexNum);

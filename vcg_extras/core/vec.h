@@ -32,6 +32,12 @@ struct Vec3 {
 	}
 };
 
+/// A point or a vector of a plane.
+template <class S>
+struct Vec2 {
+	S x = 0, y = 0;
+};
+
 /// x, y or z, by number from 0.
 template <class S>
 inline S coordinate(const Vec3<S>& v, int axis)
@@ -47,6 +53,8 @@ inline void setCoordinate(Vec3<S>& v, int axis, S value)
 
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
+using Vec2f = Vec2<float>;
+using Vec2d = Vec2<double>;
 
 template <class S>
 inline Vec3<S> operator+(const Vec3<S>& a, const Vec3<S>& b)
@@ -105,6 +113,22 @@ template <class S>
 inline Vec3<S> tangential(const Vec3<S>& a, const Vec3<S>& n)
 {
 	return a - n * dot(n, a);
+}
+
+template <class S>
+inline Vec2<S> operator-(const Vec2<S>& a, const Vec2<S>& b)
+{
+	return {a.x - b.x, a.y - b.y};
+}
+template <class S>
+inline S dot(const Vec2<S>& a, const Vec2<S>& b)
+{
+	return a.x * b.x + a.y * b.y;
+}
+template <class S>
+inline S cross(const Vec2<S>& a, const Vec2<S>& b)
+{
+	return a.x * b.y - a.y * b.x;
 }
 
 /// Share of the way from a to b of the point nearest to p; 0 if a and b coincide.

@@ -3,18 +3,49 @@
 #include "mesh_io.h"
 
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh/precision.h>
 #include <vcg_extras/io/text/text_lines.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 namespace gpr::app {
 
 namespace {
+
+struct FormatRow {
+	const char* extension;
+	const char* floatName; ///< of a format that holds floats only; empty: any other format
+	const char* library;
+	bool (*isThere)(); ///< the library, in this build
+};
+
+bool always()
+{
+	return true;
+}
+
+/// By MeshFormat.
+constexpr FormatRow formats[] = {
+	{".ply", "", "", always},
+	{".obj", "", "", always},
+	{".off", "", "", always},
+	{".stl", "STL", "", always},
+	{".glb", "glTF", "", always},
+	{".gltf", "glTF", "TinyGLTF (Debian: libtinygltf-dev)", hasGltfText},
+	{".3mf", "3MF", "lib3mf (Debian: lib3mf-dev)", hasThreeMf}};
+
+/// The row of a path's extension, or the end.
+const FormatRow* rowOf(const std::string& path)
+{
+	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+	return std::find_if(std::begin(formats), std::end(formats),
+						[&](const FormatRow& row) { return row.extension == extension; });
+}
 
 std::string folderOf(const std::string& path)
 {
@@ -34,9 +65,9 @@ InputMesh readFormat(MeshFormat format, std::string_view content, const std::str
 	case MeshFormat::Stl:
 		return readStl(content);
 	case MeshFormat::Glb:
-		return readGlb(content, wanted);
+		return readGlb(content, wanted.carried);
 	case MeshFormat::Gltf:
-		return readGlb(glbOfGltf(content, folderOf(path)), wanted);
+		return readGlb(glbOfGltf(content, folderOf(path)), wanted.carried);
 	case MeshFormat::ThreeMf:
 		return readThreeMf(content);
 	}
@@ -65,75 +96,6 @@ void checkCarried(MeshFormat format, const std::string& path, const WantedAttrib
 	if (format == MeshFormat::Ply || !wanted.anyRequired()) return;
 	failUsage("the selection is read from PLY files only, not from '" + path + "'.");
 }
-
-} // namespace
-
-WantedAttributes neededBy(const RemeshOptions& options)
-{
-	WantedAttributes wanted;
-	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
-	wanted.ifSelected    = mayUseSelectedVertices(options);
-	wanted.faceSelection = options.selectedOnly;
-	return wanted;
-}
-
-namespace {
-
-void requireLibrary(bool isThere, const std::string& path, const std::string& library)
-{
-	if (isThere) return;
-	failUsage("'" + path + "' needs the library " + library +
-			  ", which this build of gpremesh was made without.");
-}
-
-} // namespace
-
-MeshFormat formatOfPath(const std::string& path)
-{
-	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
-	if (extension == ".ply") return MeshFormat::Ply;
-	if (extension == ".obj") return MeshFormat::Obj;
-	if (extension == ".off") return MeshFormat::Off;
-	if (extension == ".stl") return MeshFormat::Stl;
-	if (extension == ".glb") return MeshFormat::Glb;
-	if (extension == ".gltf") {
-		requireLibrary(hasGltfText(), path, "TinyGLTF (Debian: libtinygltf-dev)");
-		return MeshFormat::Gltf;
-	}
-	if (extension == ".3mf") {
-		requireLibrary(hasThreeMf(), path, "lib3mf (Debian: lib3mf-dev)");
-		return MeshFormat::ThreeMf;
-	}
-	failUsage("'" + path + "' has none of the extensions " + formatNames() + ".");
-}
-
-std::string formatNames()
-{
-	std::string names = ".ply, .obj, .off, .stl";
-	if (hasGltfText()) names += ", .gltf";
-	if (hasThreeMf()) names += ", .3mf";
-	return names + " or .glb";
-}
-
-InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
-{
-	const MeshFormat format = formatOfPath(path);
-	checkCarried(format, path, wanted);
-	InputMesh mesh;
-	try {
-		mesh = readContent(format, path, wanted);
-	}
-	catch (const AppError& error) {
-		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");
-	}
-	if (mesh.faceNum() == 0) {
-		failInput("'" + path + "' has no faces (" + std::to_string(mesh.vertexNum()) +
-				  " vertices).");
-	}
-	return mesh;
-}
-
-namespace {
 
 /// Makes named materials of a texture a column of labels with names, as PLY holds names of labels
 /// only. Numbers of images stay numbers of images.
@@ -187,6 +149,58 @@ void seeFilesFrom(const std::string& folder, MeshFormat format, MeshAttributes& 
 
 } // namespace
 
+WantedAttributes neededBy(const RemeshOptions& options)
+{
+	WantedAttributes wanted;
+	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
+	wanted.ifSelected    = mayUseSelectedVertices(options);
+	wanted.faceSelection = options.selectedOnly;
+	return wanted;
+}
+
+MeshFormat formatOfPath(const std::string& path)
+{
+	const FormatRow* const row = rowOf(path);
+	if (row == std::end(formats))
+		failUsage("'" + path + "' has none of the extensions " + formatNames() + ".");
+	if (!row->isThere())
+		failUsage("'" + path + "' needs the library " + row->library +
+				  ", which this build of gpremesh was made without.");
+	return MeshFormat(row - formats);
+}
+
+bool isMeshName(const std::string& path)
+{
+	const FormatRow* const row = rowOf(path);
+	return row != std::end(formats) && row->isThere();
+}
+
+std::string formatNames()
+{
+	std::string names = ".ply, .obj, .off, .stl";
+	if (hasGltfText()) names += ", .gltf";
+	if (hasThreeMf()) names += ", .3mf";
+	return names + " or .glb";
+}
+
+InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
+{
+	const MeshFormat format = formatOfPath(path);
+	checkCarried(format, path, wanted);
+	InputMesh mesh;
+	try {
+		mesh = readContent(format, path, wanted);
+	}
+	catch (const AppError& error) {
+		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");
+	}
+	if (mesh.faceNum() == 0) {
+		failInput("'" + path + "' has no faces (" + std::to_string(mesh.vertexNum()) +
+				  " vertices).");
+	}
+	return mesh;
+}
+
 void tellLost(MeshFormat format, MeshAttributes& attributes)
 {
 	const bool isGltf     = format == MeshFormat::Glb || format == MeshFormat::Gltf;
@@ -204,9 +218,7 @@ void tellLost(MeshFormat format, MeshAttributes& attributes)
 
 std::string nameOfFloatFormat(MeshFormat format)
 {
-	if (format == MeshFormat::Stl) return "STL";
-	if (format == MeshFormat::Glb || format == MeshFormat::Gltf) return "glTF";
-	return format == MeshFormat::ThreeMf ? "3MF" : "";
+	return formats[int(format)].floatName;
 }
 
 void requireFaces(const TriangleMesh& mesh, bool doublePrecision, const std::string& path)

@@ -20,6 +20,9 @@ std::string formatNames();
 /// extensions, and for a format whose library this build lacks.
 MeshFormat formatOfPath(const std::string& path);
 
+/// Whether a path has an extension of a mesh that this build writes.
+bool isMeshName(const std::string& path);
+
 /// The attributes without which a run with these options cannot be.
 WantedAttributes neededBy(const RemeshOptions& options);
 

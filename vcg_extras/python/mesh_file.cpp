@@ -247,11 +247,7 @@ std::vector<std::string> writeMeshFile(const std::string& path, const Positions&
 		const nb::gil_scoped_release noLock;
 		const MeshView               view   = viewOf(positions, triangles);
 		app::MeshAttributes          values = attributes.values;
-		TriangleMesh                 mesh;
-		mesh.triangles = trianglesOf(view);
-		for (std::size_t v = 0; v < view.vertexNum; ++v)
-			mesh.positions.push_back(view.position(v));
-		app::writeMesh(mesh, view.doublePrecision, values, path, app::RunLimit());
+		app::writeMesh(triangleMeshOf(view), view.doublePrecision, values, path, app::RunLimit());
 		return values.lost;
 	}
 	catch (const app::AppError& error) {

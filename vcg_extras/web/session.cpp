@@ -144,7 +144,7 @@ Json Session::remesh(const std::string& text)
 	refuseWhatIsTooLarge(options);
 	made_.erase(resultKey);
 	result_ = surface_->remesh(source_.withPlaces(options), progress_);
-	app::requireMesh(result_);
+	app::requireDone(result_);
 
 	app::RunRecord run;
 	run.inputPath    = path_;

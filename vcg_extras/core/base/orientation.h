@@ -13,11 +13,6 @@ namespace gpr {
 /// coordinates are.
 int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d);
 
-/// A point of a coordinate plane.
-struct Vec2f {
-	float x = 0, y = 0;
-};
-
 /// The point without coordinate `axis` (0, 1 or 2).
 inline Vec2f dropAxis(const Vec3f& p, int axis)
 {

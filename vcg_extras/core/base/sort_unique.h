@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_BASE_SORT_UNIQUE_H
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace gpr {
@@ -22,6 +23,14 @@ int placeIn(const std::vector<T>& sorted, const T& value)
 {
 	const auto found = std::lower_bound(sorted.begin(), sorted.end(), value);
 	return found != sorted.end() && *found == value ? int(found - sorted.begin()) : -1;
+}
+
+/// The numbers 0, ..., n - 1, as of things that keep their numbers or are sets of their own.
+inline std::vector<int> numbersBelow(std::size_t n)
+{
+	std::vector<int> numbers(n);
+	std::iota(numbers.begin(), numbers.end(), 0);
+	return numbers;
 }
 
 /// The first number in [0, n) that passes the test; n if none does. All numbers behind must pass

@@ -196,19 +196,14 @@ int Workers::sumUp(int* value, std::size_t n)
 	constexpr std::size_t grain = 16384; // 64 KB, which stay in a core's own cache between passes
 	const std::size_t     pieceNum = (n + grain - 1) / grain;
 	std::vector<int>      before(pieceNum + 1, 0);
-	forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			before[i + 1] =
-				std::accumulate(value + i * grain, value + std::min(n, (i + 1) * grain), 0);
-		}
+	forEach(pieceNum, [&](std::size_t i) {
+		before[i + 1] = std::accumulate(value + i * grain, value + std::min(n, (i + 1) * grain), 0);
 	});
 	std::partial_sum(before.begin(), before.end(), before.begin());
-	forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			int sum = before[i];
-			for (std::size_t k = i * grain; k < std::min(n, (i + 1) * grain); ++k)
-				value[k] = sum += value[k];
-		}
+	forEach(pieceNum, [&](std::size_t i) {
+		int sum = before[i];
+		for (std::size_t k = i * grain; k < std::min(n, (i + 1) * grain); ++k)
+			value[k] = sum += value[k];
 	});
 	return before.back();
 }

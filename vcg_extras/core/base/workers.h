@@ -45,8 +45,9 @@ public:
 	void forRange(std::size_t n, const Body& body)
 	{
 		const std::size_t grain = grainFor(n);
-		run((n + grain - 1) / grain,
-			[&](std::size_t piece, int) { body(piece * grain, std::min(n, (piece + 1) * grain)); });
+		forTasks((n + grain - 1) / grain, [&](std::size_t piece, int) {
+			body(piece * grain, std::min(n, (piece + 1) * grain));
+		});
 	}
 
 	/// Calls visit(i) for every i in [0, n), in any order, in parallel.
@@ -63,7 +64,12 @@ public:
 	template <class Body>
 	void forTasks(std::size_t taskNum, const Body& body)
 	{
-		run(taskNum, body);
+		runTasks(
+			taskNum,
+			[](void* b, std::size_t task, int worker) {
+				(*static_cast<const Body*>(b))(task, worker);
+			},
+			const_cast<Body*>(&body));
 	}
 
 	/// Sum of body(begin, end) over pieces of fixed size, added in order: the same bits for any
@@ -74,10 +80,8 @@ public:
 		const std::size_t  grain    = pieceSize;
 		const std::size_t  pieceNum = (n + grain - 1) / grain;
 		std::vector<Value> part(pieceNum);
-		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				part[i] = body(i * grain, std::min(n, (i + 1) * grain));
-		});
+		forEach(pieceNum,
+				[&](std::size_t i) { part[i] = body(i * grain, std::min(n, (i + 1) * grain)); });
 		Value total = Value();
 		for (const Value& p : part)
 			total += p;
@@ -136,10 +140,8 @@ public:
 		for (std::size_t i = 0; i < part.size(); ++i)
 			start[i + 1] = start[i] + part[i].size();
 		Buffer<Value> all(start.back());
-		forRange(part.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				std::copy(part[i].begin(), part[i].end(), all.data() + start[i]);
-		});
+		forEach(part.size(),
+				[&](int i) { std::copy(part[i].begin(), part[i].end(), all.data() + start[i]); });
 		return all;
 	}
 
@@ -166,26 +168,13 @@ private:
 		if (grain == 0) grain = std::min(pieceSize, grainFor(n));
 		const std::size_t               pieceNum = (n + grain - 1) / grain;
 		std::vector<std::vector<Value>> part(pieceNum);
-		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				body(i * grain, std::min(n, (i + 1) * grain), part[i]);
-		});
+		forEach(pieceNum,
+				[&](std::size_t i) { body(i * grain, std::min(n, (i + 1) * grain), part[i]); });
 		return part;
 	}
 
 	static std::size_t grainFor(std::size_t n);
 	void               runTasks(std::size_t taskNum, Task task, void* body);
-
-	template <class Body>
-	void run(std::size_t taskNum, const Body& body)
-	{
-		runTasks(
-			taskNum,
-			[](void* b, std::size_t task, int worker) {
-				(*static_cast<const Body*>(b))(task, worker);
-			},
-			const_cast<Body*>(&body));
-	}
 
 	std::unique_ptr<Pool> pool_;
 };

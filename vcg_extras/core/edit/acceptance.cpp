@@ -4,8 +4,6 @@
 
 #include <vcg_extras/core/mesh/face_quality.h>
 
-#include <array>
-
 namespace gpr {
 
 namespace {
@@ -84,14 +82,12 @@ bool spoilsFace(const Acceptance& limits, const Corners& before, const Corners& 
 bool spoilsRing(const Acceptance& limits, const HalfEdgeMesh& m, int v, const Vec3f& to,
 				int without)
 {
-	const Vec3f from   = m.position[v];
-	bool        spoils = false;
-	forEachOutgoing(m, v, [&](int h) {
-		if (m.target(h) == without || m.apex(h) == without) return;
+	const Vec3f from = m.position[v];
+	return anyOutgoing(m, v, [&](int h) {
+		if (m.target(h) == without || m.apex(h) == without) return false;
 		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
-		spoils = spoils || spoilsFace(limits, {from, a, b}, {to, a, b});
+		return spoilsFace(limits, {from, a, b}, {to, a, b});
 	});
-	return spoils;
 }
 
 } // namespace gpr

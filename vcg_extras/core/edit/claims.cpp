@@ -26,9 +26,9 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 	const auto isWide  = [&] { return reached_.size() > mostVertices; };
 	const auto reach   = [&](int v) {
         ++work_;
-        if (visitOf_[std::size_t(v)] == visit_) return;
-        visitOf_[std::size_t(v)] = visit_;
-        isTaken                  = isTaken || std::abs(owner_[std::size_t(v)]) >= first_;
+        if (visitOf_[v] == visit_) return;
+        visitOf_[v] = visit_;
+        isTaken     = isTaken || std::abs(owner_[v]) >= first_;
         reached_.push_back(v);
 	};
 	for (int h = 3 * face; h < 3 * face + 3; ++h)
@@ -44,15 +44,14 @@ int Claims::claim(const HalfEdgeMesh& m, int face)
 	if (isTaken) return 0;
 	const int name = next_++;
 	for (std::size_t i = 0; i < reached_.size(); ++i)
-		owner_[std::size_t(reached_[i])] = i < changingNum ? name : -name;
+		owner_[reached_[i]] = i < changingNum ? name : -name;
 	return name;
 }
 
 bool Claims::allow(int claim, const std::vector<int>& patch) const
 {
-	return claim == everything || std::all_of(patch.begin(), patch.end(), [&](int v) {
-			   return owner_[std::size_t(v)] == claim;
-		   });
+	return claim == everything ||
+		   std::all_of(patch.begin(), patch.end(), [&](int v) { return owner_[v] == claim; });
 }
 
 } // namespace gpr

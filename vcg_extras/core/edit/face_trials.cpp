@@ -54,8 +54,8 @@ std::vector<int> FacesInSpace::meeting(const Box<float>& box) const
 void FacesInSpace::noteChanged(const std::vector<int>& faces)
 {
 	for (int f : faces) {
-		if (!isChanged_[std::size_t(f)]) changed_.push_back(f);
-		isChanged_[std::size_t(f)] = 1;
+		if (!isChanged_[f]) changed_.push_back(f);
+		isChanged_[f] = 1;
 	}
 	if (changed_.size() <= std::max(fewChanged, std::size_t(m_.faceNum / 16))) return;
 	boxes_ = FaceBoxes(m_, workers_);

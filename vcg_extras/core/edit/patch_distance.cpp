@@ -7,7 +7,6 @@
 #include <vcg_extras/core/mesh/face_plane.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace gpr {

@@ -12,7 +12,6 @@
 #include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 

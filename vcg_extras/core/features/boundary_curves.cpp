@@ -351,7 +351,7 @@ private:
 	/// Makes samples of the stops from the given stop on, and of the arcs between all stops.
 	void sampleFrom(const Curve& c, std::size_t firstStop)
 	{
-		const SpacedStops& spaced = spaced_[std::size_t(index_)];
+		const SpacedStops& spaced = spaced_[index_];
 		for (std::size_t i = 0; i < spaced.between.size(); ++i) {
 			if (i >= firstStop) put(c, spaced.stop[i], spaced.areCorners);
 			putAll(c, spaced.between[i]);
@@ -583,11 +583,6 @@ private:
 		return c.arcDistance(marks[next].arc, s) < c.arcDistance(marks[last].arc, s) ? next : last;
 	}
 
-	bool isOfNode(const CurveSample& sample) const
-	{
-		return sampleOfNode_.count(sample.vertex) != 0;
-	}
-
 	/// Assigns to every point of the curve its nearest sample, and to every sample the nearest of
 	/// its points. marks: of the nodes at the ends of an open curve.
 	void finish(const Curve& c, std::vector<Mark> marks)
@@ -602,7 +597,7 @@ private:
 			CurveSample& sample = out_.samples[marks[k].sample];
 			owner[i]            = marks[k].sample;
 			const float d       = c.arcDistance(marks[k].arc, c.arc[i]);
-			if (d >= distance[k] || isOfNode(sample)) continue;
+			if (d >= distance[k] || sampleOfNode_.count(sample.vertex) != 0) continue;
 			distance[k]     = d;
 			sample.vertex   = c.vertex[i];
 			sample.isPinned = sample.isCorner && d == 0 && isKept(c.vertex[i]);

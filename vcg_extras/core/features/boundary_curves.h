@@ -7,7 +7,6 @@
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/surface/curve.h>
 #include <vcg_extras/core/surface/surface_point.h>
-#include <vcg_extras/core/surface/walk.h>
 
 #include <vector>
 

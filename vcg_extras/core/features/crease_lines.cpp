@@ -97,9 +97,7 @@ private:
 	void markAll(const std::vector<int>& edges)
 	{
 		m_.crease.reset(m_.halfEdgeNum());
-		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-			std::fill(m_.crease.data() + begin, m_.crease.data() + end, char(0));
-		});
+		workers_.forEach(m_.halfEdgeNum(), [&](int h) { m_.crease[h] = 0; });
 		for (int h : edges)
 			mark(h, true);
 		edges_ = edges;
@@ -109,17 +107,12 @@ private:
 
 	// ---- seams
 
-	bool isSeam(int h) const
-	{
-		return std::binary_search(rules_.seams.begin(), rules_.seams.end(), h);
-	}
-
 	/// The edges that are seams, or all other edges.
 	std::vector<int> among(const std::vector<int>& edges, bool areSeams) const
 	{
 		std::vector<int> found;
 		std::copy_if(edges.begin(), edges.end(), std::back_inserter(found),
-					 [&](int h) { return isSeam(h) == areSeams; });
+					 [&](int h) { return (placeIn(rules_.seams, h) >= 0) == areSeams; });
 		return found;
 	}
 
@@ -327,12 +320,9 @@ private:
 		if (m_.isBorderVertex(v) || !isPointed(v) || m_.isCreaseVertex(v)) return false;
 		const float own = defect(v);
 		if (own < rules_.strongDeg * radians) return false;
-		bool alone = true;
-		forEachNeighbour(m_, v, [&](int w) {
-			const bool smooth = m_.isCurveVertex(w) || std::abs(defect(w)) <= apexContrast * own;
-			alone             = alone && smooth;
+		return !anyNeighbour(m_, v, [&](int w) {
+			return !m_.isCurveVertex(w) && !(std::abs(defect(w)) <= apexContrast * own);
 		});
-		return alone;
 	}
 };
 

@@ -18,9 +18,9 @@ constexpr int maxCrossings = 256;
 /// Six rays in the middle of sectors of 30°. The number is even: a ray at right angles would run
 /// straight into the apex of every symmetric triangle, and rounding would decide on which side it
 /// passes.
-constexpr PlanePoint rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
-							   {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
-							   {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
+constexpr Vec2f rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
+						  {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
+						  {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
 
 constexpr int rayNum = int(sizeof(rays) / sizeof(rays[0]));
 
@@ -83,7 +83,7 @@ private:
 
 	/// Extends rays to the edge p -> q or to the end of the support. Returns the weight of the new
 	/// stretches.
-	float advance(PlanePoint p, PlanePoint q, int first, int end)
+	float advance(Vec2f p, Vec2f q, int first, int end)
 	{
 		float weight = 0;
 		for (int i = first; i < end; ++i) {

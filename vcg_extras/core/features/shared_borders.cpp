@@ -13,7 +13,7 @@ SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>&
 {
 	numberPlaces(mesh, curves);
 	for (int c = 0; c < int(place_.size()); ++c) {
-		for (int i = 0; i < int(place_[std::size_t(c)].size()); ++i)
+		for (int i = 0; i < int(place_[c].size()); ++i)
 			line_[endsOf(c, i)].curves.push_back(c);
 	}
 	findStops();
@@ -43,9 +43,9 @@ void SharedBorders::findStops()
 		next[ends.second].insert(ends.first);
 	}
 	for (const auto& [place, others] : next)
-		isStop_[std::size_t(place)] = others.size() != 2;
+		isStop_[place] = others.size() != 2;
 	for (int c = 0; c < int(place_.size()); ++c) {
-		const int n = int(place_[std::size_t(c)].size());
+		const int n = int(place_[c].size());
 		for (int i = 0; i < n; ++i) {
 			if (!isOnShared(c, i)) continue;
 			const bool turnsBack = placeAt(c, i + n - 1) == placeAt(c, i + 1);
@@ -56,7 +56,7 @@ void SharedBorders::findStops()
 
 int SharedBorders::placeAt(int curve, int i) const
 {
-	const std::vector<int>& place = place_[std::size_t(curve)];
+	const std::vector<int>& place = place_[curve];
 	return place[std::size_t(i) % place.size()];
 }
 
@@ -67,12 +67,12 @@ std::pair<int, int> SharedBorders::endsOf(int curve, int segment) const
 
 bool SharedBorders::isShared(int curve, int segment) const
 {
-	return !place_[std::size_t(curve)].empty() && lineOf(curve, segment).curves.size() > 1;
+	return !place_[curve].empty() && lineOf(curve, segment).curves.size() > 1;
 }
 
 bool SharedBorders::isAnyShared(int curve) const
 {
-	for (int i = 0; i < int(place_[std::size_t(curve)].size()); ++i) {
+	for (int i = 0; i < int(place_[curve].size()); ++i) {
 		if (isShared(curve, i)) return true;
 	}
 	return false;
@@ -80,18 +80,18 @@ bool SharedBorders::isAnyShared(int curve) const
 
 bool SharedBorders::isOnShared(int curve, int i) const
 {
-	const int n = int(place_[std::size_t(curve)].size());
+	const int n = int(place_[curve].size());
 	return n > 0 && (isShared(curve, i) || isShared(curve, i + n - 1));
 }
 
 bool SharedBorders::isStop(int curve, int i) const
 {
-	return !place_[std::size_t(curve)].empty() && isStop_[std::size_t(placeAt(curve, i))] != 0;
+	return !place_[curve].empty() && isStop_[placeAt(curve, i)] != 0;
 }
 
 void SharedBorders::addStop(int curve, int i)
 {
-	isStop_[std::size_t(placeAt(curve, i))] = 1;
+	isStop_[placeAt(curve, i)] = 1;
 }
 
 void SharedBorders::addSample(int curve, int segment, float share, const Vec3f& position)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "smooth_border.h"
 
-#include <vcg_extras/core/base/triangle.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -13,13 +13,13 @@ ContactGuard::ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& 
 		placeOf_(std::size_t(mesh.faceNum), -1), goneIn_(std::size_t(mesh.faceNum), 0)
 {
 	for (int i = 0; i < boxes_.faceNum(); ++i)
-		placeOf_[std::size_t(boxes_.face(i))] = i;
+		placeOf_[boxes_.face(i)] = i;
 }
 
 void ContactGuard::follow(const std::vector<int>& changed)
 {
 	for (int f : changed)
-		boxes_.grow(placeOf_[std::size_t(f)], boxOfFace(m_, f));
+		boxes_.grow(placeOf_[f], boxOfFace(m_, f));
 }
 
 bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone)
@@ -27,7 +27,7 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 	++call_;
 	before_.clear();
 	for (int f : gone) {
-		goneIn_[std::size_t(f)] = call_;
+		goneIn_[f] = call_;
 		if (hadContacts_) before_.push_back(triangleOf(m_, f));
 	}
 	boxOfMade_.clear();
@@ -39,7 +39,7 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 	if (reachMirrorImage(made) && !reachMirrorImage(before_)) return false;
 	return boxes_.forEachMeeting(all, [&](int place) {
 		const int f = boxes_.face(place);
-		return isDeadFace(m_, f) || goneIn_[std::size_t(f)] == call_ || isApartFrom(f, made);
+		return isDeadFace(m_, f) || goneIn_[f] == call_ || isApartFrom(f, made);
 	}) && (!touchEachOther(made) || touchEachOther(before_));
 }
 

@@ -13,9 +13,7 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -33,10 +31,8 @@ constexpr int leastForPatches = 100;
 HalfEdgeMesh partOf(const HalfEdgeMesh& from, const Components& components,
 					const std::vector<char>& wanted, Workers& workers, std::vector<int>& name)
 {
-	const auto isWanted = [&](int f) {
-		return wanted[std::size_t(components.ofFace[std::size_t(f)])] != 0;
-	};
-	HalfEdgeMesh part = copyMesh(from, workers);
+	const auto   isWanted = [&](int f) { return wanted[components.ofFace[f]] != 0; };
+	HalfEdgeMesh part     = copyMesh(from, workers);
 	part.crease.release();
 	for (int v = 0; v < from.vertexNum; ++v) {
 		if (from.outgoing[v] >= 0 && isWanted(from.outgoing[v] / 3))
@@ -139,13 +135,12 @@ private:
 	{
 		const auto inputOf = [&](int f) {
 			const int v = result_.mesh.origin[3 * f];
-			return ofInput_.ofFace[std::size_t(result_.vertex[std::size_t(v)].point.face)];
+			return ofInput_.ofFace[result_.vertex[v].point.face];
 		};
 		for (int f : faces)
-			isTaken_[std::size_t(inputOf(f))] = 1;
+			isTaken_[inputOf(f)] = 1;
 		for (int f = 0; f < result_.mesh.faceNum; ++f) {
-			if (isTaken_[std::size_t(inputOf(f))])
-				isLeft_[std::size_t(ofResult_.ofFace[std::size_t(f)])] = 0;
+			if (isTaken_[inputOf(f)]) isLeft_[ofResult_.ofFace[f]] = 0;
 		}
 	}
 
@@ -176,12 +171,11 @@ private:
 	{
 		std::vector<int> left;
 		for (int f = 0; f < result_.mesh.faceNum; ++f) {
-			if (isLeft_[std::size_t(ofResult_.ofFace[std::size_t(f)])]) left.push_back(f);
+			if (isLeft_[ofResult_.ofFace[f]]) left.push_back(f);
 		}
 		std::vector<int> faces;
 		for (const FacePair& pair : pairs) {
-			if (pair.first < inputFaces)
-				faces.push_back(left[std::size_t(pair.second - inputFaces)]);
+			if (pair.first < inputFaces) faces.push_back(left[pair.second - inputFaces]);
 		}
 		takeComponents(faces);
 		return !faces.empty();

@@ -6,7 +6,6 @@
 #include "patch_filling.h"
 
 #include <vcg_extras/core/base/workers.h>
-#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 

@@ -17,9 +17,7 @@ constexpr std::size_t mostOfVertex = 64;
 
 bool mayMoveThere(const GuardedMesh& g, int v)
 {
-	bool mayMove = !g.isFixed(v);
-	forEachNeighbour(g.mesh, v, [&](int w) { mayMove = mayMove || !g.isFixed(w); });
-	return mayMove;
+	return !g.isFixed(v) || anyNeighbour(g.mesh, v, [&](int w) { return !g.isFixed(w); });
 }
 
 float squaredDistance(const Vec3f& p, const NamedTriangle& t)
@@ -36,19 +34,18 @@ DistanceGuard::DistanceGuard(const GuardedMesh& g, double enough, Workers& worke
 	std::vector<int>   from; // per point: its vertex
 	for (int v = 0; v < m_.vertexNum; ++v) {
 		if (m_.outgoing[v] < 0 || !mayMoveThere(g, v)) continue;
-		const std::vector<Vec3f>& own = g.vertex[std::size_t(v)].points;
+		const std::vector<Vec3f>& own = g.vertex[v].points;
 		for (std::size_t i = 0; i < own.size(); i += 1 + own.size() / mostOfVertex) {
 			point.push_back(own[i]);
 			from.push_back(v);
 		}
 	}
 	std::vector<SurfacePoint> nearest(point.size());
-	workers.forEach(point.size(), [&](int i) {
-		nearest[std::size_t(i)] = nearestByDescent(m_, from[std::size_t(i)], point[std::size_t(i)]);
-	});
+	workers.forEach(point.size(),
+					[&](int i) { nearest[i] = nearestByDescent(m_, from[i], point[i]); });
 	for (std::size_t i = 0; i < point.size(); ++i) {
 		const float squared = squaredLength(point[i] - nearest[i].position);
-		pointsOf_[std::size_t(nearest[i].face)].push_back({point[i], squared});
+		pointsOf_[nearest[i].face].push_back({point[i], squared});
 	}
 }
 
@@ -57,7 +54,7 @@ bool DistanceGuard::allows(const std::vector<NamedTriangle>& made,
 {
 	float most = squaredEnough_;
 	for (int f : gone) {
-		for (const Point& p : pointsOf_[std::size_t(f)])
+		for (const Point& p : pointsOf_[f])
 			most = std::max(most, p.squared);
 	}
 	const auto isNear = [&](const Point& p) {
@@ -66,7 +63,7 @@ bool DistanceGuard::allows(const std::vector<NamedTriangle>& made,
 		});
 	};
 	return std::all_of(gone.begin(), gone.end(), [&](int f) {
-		const std::vector<Point>& points = pointsOf_[std::size_t(f)];
+		const std::vector<Point>& points = pointsOf_[f];
 		return std::all_of(points.begin(), points.end(), isNear);
 	});
 }
@@ -75,7 +72,7 @@ void DistanceGuard::follow(const std::vector<int>& changed)
 {
 	std::vector<Point> points;
 	for (int f : changed) {
-		std::vector<Point>& own = pointsOf_[std::size_t(f)];
+		std::vector<Point>& own = pointsOf_[f];
 		points.insert(points.end(), own.begin(), own.end());
 		own.clear();
 	}
@@ -88,7 +85,7 @@ void DistanceGuard::follow(const std::vector<int>& changed)
 			p.squared = squared;
 			nearest   = f;
 		}
-		pointsOf_[std::size_t(nearest)].push_back(p);
+		pointsOf_[nearest].push_back(p);
 	}
 }
 

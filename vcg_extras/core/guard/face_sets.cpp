@@ -51,11 +51,11 @@ HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
 	to.meetsAtPlaces = from.meetsAtPlaces;
 	reserve(to, to.vertexNum, to.faceNum);
 	for (int v = 0; v < to.vertexNum; ++v) {
-		to.position[v] = from.position[vertices[std::size_t(v)]];
+		to.position[v] = from.position[vertices[v]];
 		to.outgoing[v] = -1;
 	}
 	for (int h = 0; h < to.halfEdgeNum(); ++h) {
-		const int v    = from.origin[3 * faces[std::size_t(h / 3)] + h % 3];
+		const int v    = from.origin[3 * faces[h / 3] + h % 3];
 		to.origin[h]   = place[v];
 		to.opposite[h] = -1;
 	}

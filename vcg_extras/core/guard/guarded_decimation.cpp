@@ -4,6 +4,7 @@
 
 #include "contact_guard.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -81,7 +81,7 @@ struct Places {
 	void add(const Quadric& q, const Vec3d& p)
 	{
 		const Vec3f rounded(p);
-		at[std::size_t(num++)] = {q.at(Vec3d(rounded)), rounded};
+		at[num++] = {q.at(Vec3d(rounded)), rounded};
 	}
 	void sort()
 	{
@@ -148,8 +148,7 @@ private:
 		for (int calls = 0; !queue_.empty() && mayGoOn();) {
 			const Candidate c = queue_.top();
 			queue_.pop();
-			if (stamp_[std::size_t(c.a)] != c.stampA || stamp_[std::size_t(c.b)] != c.stampB)
-				continue;
+			if (stamp_[c.a] != c.stampA || stamp_[c.b] != c.stampB) continue;
 			// A collapse is slow in a large patch, where a vertex has many points.
 			if (++calls % 64 == 0) workers_.poll(share());
 			tryToCollapse(c.a, c.b);
@@ -213,8 +212,8 @@ private:
 		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);
 		c.b      = std::max(v, w);
-		c.stampA = stamp_[std::size_t(c.a)];
-		c.stampB = stamp_[std::size_t(c.b)];
+		c.stampA = stamp_[c.a];
+		c.stampB = stamp_[c.b];
 		return true;
 	}
 
@@ -224,12 +223,9 @@ private:
 
 	bool isBesideFlat(int v, int w) const
 	{
-		bool isBeside = false;
-		forEachOutgoing(m_, v, [&](int h) {
-			isBeside = isBeside ||
-					   ((m_.target(h) == w || m_.apex(h) == w) && hasZeroArea(m_.faceCross(h / 3)));
+		return anyOutgoing(m_, v, [&](int h) {
+			return (m_.target(h) == w || m_.apex(h) == w) && hasZeroArea(m_.faceCross(h / 3));
 		});
-		return isBeside;
 	}
 
 	Merge mergeOf(int v, int w) const
@@ -276,8 +272,8 @@ private:
 	Places placesOf(const Merge& merge) const
 	{
 		Places  places;
-		Quadric q = g_.vertex[std::size_t(merge.from)].quadric;
-		q += g_.vertex[std::size_t(merge.to)].quadric;
+		Quadric q = g_.vertex[merge.from].quadric;
+		q += g_.vertex[merge.to].quadric;
 		const Vec3d to(m_.position[merge.to]);
 		if (!merge.mayMove) {
 			places.add(q, to);
@@ -307,7 +303,7 @@ private:
 		collectFaces(merge);
 		const Places places = placesOf(merge);
 		for (int i = 0; i < places.num; ++i) {
-			const auto& [squaredByArea, place] = places.at[std::size_t(i)];
+			const auto& [squaredByArea, place] = places.at[i];
 			if (isTooFar(merge, squaredByArea)) return;
 			if (!makeTriangles(merge, place)) continue;
 			const bool isTested = !isForced_ && !isUntested(merge, squaredByArea);
@@ -345,8 +341,7 @@ private:
 	bool isBeyond(double distance, const Merge& merge, double squaredByArea) const
 	{
 		const double most = distance * settings_.idealEdge;
-		const float  area =
-			g_.vertex[std::size_t(merge.from)].area + g_.vertex[std::size_t(merge.to)].area;
+		const float  area = g_.vertex[merge.from].area + g_.vertex[merge.to].area;
 		return squaredByArea > most * most * double(area);
 	}
 
@@ -406,16 +401,16 @@ private:
 		m_.position[merge.to] = place;
 		--livingNum_;
 		if (hasToGo(merge)) --borderNum_;
-		++stamp_[std::size_t(merge.from)];
-		++stamp_[std::size_t(merge.to)];
+		++stamp_[merge.from];
+		++stamp_[merge.to];
 		followWithGuard(merge.to);
 		queueRound(merge.to);
 	}
 
 	void takeOver(const Merge& merge, const Vec3f& place)
 	{
-		GuardedVertex& from = g_.vertex[std::size_t(merge.from)];
-		GuardedVertex& to   = g_.vertex[std::size_t(merge.to)];
+		GuardedVertex& from = g_.vertex[merge.from];
+		GuardedVertex& to   = g_.vertex[merge.to];
 		to.quadric += from.quadric;
 		to.normal += from.normal;
 		to.area += from.area;
@@ -449,9 +444,9 @@ void addFace(const HalfEdgeMesh& m, int f, const std::vector<int>& name, Guarded
 	const double doubled = length(n);
 	if (!(doubled > 0)) return;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const int own = name[std::size_t(m.origin[h])];
+		const int own = name[m.origin[h]];
 		if (own < 0) continue;
-		GuardedVertex& v = g.vertex[std::size_t(own)];
+		GuardedVertex& v = g.vertex[own];
 		v.quadric.addPlane(o, n * (1 / doubled), doubled / 6);
 		v.normal += Vec3f(n * (1.0 / 6));
 		v.area += float(doubled / 6);
@@ -465,8 +460,8 @@ void addBorder(const HalfEdgeMesh& m, int h, const std::vector<int>& name, Guard
 	const Vec3d o(m.position[a]), edge = Vec3d(m.position[b]) - o;
 	const Vec3d across = cross(edge, Vec3d(m.faceCross(h / 3)));
 	const Vec3d normal = normalized(across);
-	for (int v : {name[std::size_t(a)], name[std::size_t(b)]}) {
-		if (v >= 0) g.vertex[std::size_t(v)].quadric.addPlane(o, normal, squaredLength(edge));
+	for (int v : {name[a], name[b]}) {
+		if (v >= 0) g.vertex[v].quadric.addPlane(o, normal, squaredLength(edge));
 	}
 }
 
@@ -475,16 +470,14 @@ void addBorder(const HalfEdgeMesh& m, int h, const std::vector<int>& name, Guard
 GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 		mesh(std::move(from)), vertex(std::size_t(mesh.vertexNum)), hadContacts(hasContacts)
 {
-	std::vector<int> itself(vertex.size());
-	std::iota(itself.begin(), itself.end(), 0);
 	mesh.crease.reset(std::size_t(mesh.halfEdgeNum()));
 	for (int h = 0; h < mesh.halfEdgeNum(); ++h)
 		mesh.crease[h] = char(mesh.isBorderEdge(h));
-	assign(mesh, itself);
+	assign(mesh, numbersBelow(vertex.size()));
 	mesh.crease.release();
 	for (int v = 0; v < mesh.vertexNum; ++v) {
-		vertex[std::size_t(v)].anchor      = v;
-		vertex[std::size_t(v)].anchorPlace = mesh.position[v];
+		vertex[v].anchor      = v;
+		vertex[v].anchorPlace = mesh.position[v];
 	}
 }
 
@@ -492,14 +485,14 @@ void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name
 {
 	for (int v : name) {
 		if (v < 0) continue;
-		GuardedVertex& to = vertex[std::size_t(v)];
+		GuardedVertex& to = vertex[v];
 		to.quadric        = Quadric();
 		to.normal         = Vec3f();
 		to.area           = 0;
 		to.points.clear();
 	}
 	for (std::size_t v = 0; v < name.size(); ++v) {
-		if (name[v] >= 0) vertex[std::size_t(name[v])].points.push_back(other.position[v]);
+		if (name[v] >= 0) vertex[name[v]].points.push_back(other.position[v]);
 	}
 	for (int f = 0; f < other.faceNum; ++f) {
 		addFace(other, f, name, *this);
@@ -515,8 +508,8 @@ bool GuardedMesh::agrees(const int* v, const Vec3f& n, float cosine, int another
 	float sum = 0;
 	for (int w : {v[0], v[1], v[2], another}) {
 		if (w < 0) continue;
-		wanted += vertex[std::size_t(w)].normal;
-		sum += vertex[std::size_t(w)].area;
+		wanted += vertex[w].normal;
+		sum += vertex[w].area;
 	}
 	const float size = length(wanted);
 	return size < leastSpread * sum || dot(n, wanted) > cosine * length(n) * size;

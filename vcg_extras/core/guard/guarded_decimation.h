@@ -31,7 +31,7 @@ struct GuardedMesh {
 	std::vector<GuardedVertex> vertex;
 	bool                       hadContacts = false; ///< the first mesh had contacts
 
-	bool isFixed(int v) const { return vertex[std::size_t(v)].isFixed; }
+	bool isFixed(int v) const { return vertex[v].isFixed; }
 	/// Whether all corners of a face are fixed.
 	bool isFixedFace(int f) const
 	{

@@ -8,9 +8,9 @@
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 
@@ -28,12 +28,6 @@ constexpr float sharpCosine = 0.766f;
 constexpr float needleShape = 0.01f;
 /// Least gain of a change in shape, so that no change is made and undone for ever.
 constexpr float leastGain = 1.001f;
-
-float cosineOf(const Vec3f& a, const Vec3f& b)
-{
-	const float size = length(a) * length(b);
-	return size > 0 ? dot(a, b) / size : -1;
-}
 
 class Relaxation {
 public:
@@ -112,13 +106,13 @@ private:
 		const Vec3f n[2] = {made_[0].cross(), made_[1].cross()};
 		const Vec3d a(old[0].at[0]), b(old[0].at[1]), c(old[0].at[2]), d(old[1].at[2]);
 		if (lineDistance(a, b, c, d) > farthest_) return false;
-		const float bend = cosineOf(o[0], o[1]), newBend = cosineOf(n[0], n[1]);
+		const float bend = agreement(o[0], o[1]), newBend = agreement(n[0], n[1]);
 		// The normal of a needle says nothing.
 		const bool isNeedle = before < needleShape;
 		if (newBend < sharpCosine && newBend < bend && !isNeedle) return false;
 		if (bend < sharpCosine && newBend < limits_.turn && !isNeedle) return false;
 		const Vec3f mean = o[0] + o[1];
-		return cosineOf(n[0], mean) > limits_.turn && cosineOf(n[1], mean) > limits_.turn &&
+		return agreement(n[0], mean) > limits_.turn && agreement(n[1], mean) > limits_.turn &&
 			   g_.agrees(made_[0].vertex, n[0], limits_.agreement) &&
 			   g_.agrees(made_[1].vertex, n[1], limits_.agreement);
 	}
@@ -150,7 +144,7 @@ private:
 	/// Whether a place is farther off by the quadrics, which are weighted by area.
 	bool isFarther(int v, const Vec3d& place) const
 	{
-		const GuardedVertex& vertex = g_.vertex[std::size_t(v)];
+		const GuardedVertex& vertex = g_.vertex[v];
 		const double         there  = vertex.quadric.at(place);
 		return there > farthest_ * farthest_ * double(vertex.area) &&
 			   there > vertex.quadric.at(Vec3d(m_.position[v]));
@@ -166,7 +160,7 @@ private:
 			area += here;
 		}
 		const Vec3d barycentre = area > 0 ? sum * (1 / area) : Vec3d(m_.position[v]);
-		Quadric     q          = g_.vertex[std::size_t(v)].quadric;
+		Quadric     q          = g_.vertex[v].quadric;
 		q.addPoint(barycentre, barycentreWeight * q.trace());
 		return q.lowest(Vec3d(m_.position[v]));
 	}
@@ -193,7 +187,7 @@ private:
 			}
 			const Vec3f normal = t.cross();
 			if (t.isLine()) return false;
-			if (cosineOf(normal, old) < limits_.turn) return false;
+			if (agreement(normal, old) < limits_.turn) return false;
 			if (!g_.agrees(t.vertex, normal, limits_.agreement) &&
 				g_.agrees(t.vertex, old, limits_.agreement))
 				return false;

@@ -22,8 +22,8 @@ HalfEdgeMesh diagonalsOf(const std::vector<Box<float>>& boxes)
 	m.vertexNum = 2 * num;
 	m.faceNum   = num;
 	for (int i = 0; i < num; ++i) {
-		m.position[2 * i]     = boxes[std::size_t(i)].low;
-		m.position[2 * i + 1] = boxes[std::size_t(i)].high;
+		m.position[2 * i]     = boxes[i].low;
+		m.position[2 * i + 1] = boxes[i].high;
 		for (int k = 0; k < 3; ++k) {
 			m.origin[3 * i + k]   = 2 * i + (k > 0);
 			m.opposite[3 * i + k] = -1;
@@ -75,10 +75,10 @@ std::vector<FacePair> InputContacts::withoutInputs(const HalfEdgeMesh&          
 	if (!touching_) return pairs;
 	std::vector<char> nearInput(std::size_t(result.faceNum), 0);
 	for (int f : facesOf(pairs))
-		nearInput[std::size_t(f)] = isNear(result, f);
+		nearInput[f] = isNear(result, f);
 	std::vector<FacePair> others;
 	std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others), [&](const FacePair& pair) {
-		return !nearInput[std::size_t(pair.first)] && !nearInput[std::size_t(pair.second)];
+		return !nearInput[pair.first] && !nearInput[pair.second];
 	});
 	return others;
 }

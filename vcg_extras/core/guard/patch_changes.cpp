@@ -4,12 +4,12 @@
 
 #include "face_sets.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 namespace gpr {
@@ -27,8 +27,7 @@ std::vector<char> changedFaces(const HalfEdgeMesh& before, const HalfEdgeMesh& n
 	std::vector<char> isChanged(std::size_t(now.faceNum), 0);
 	for (int h = 0; h < now.halfEdgeNum(); ++h) {
 		const int v = now.origin[h];
-		if (v != before.origin[h] || !(now.position[v] == before.position[v]))
-			isChanged[std::size_t(h / 3)] = 1;
+		if (v != before.origin[h] || !(now.position[v] == before.position[v])) isChanged[h / 3] = 1;
 	}
 	return isChanged;
 }
@@ -48,7 +47,7 @@ bool changePatch(const MakingOfVertices& making, const InputContacts& ofInput, P
 				 const std::vector<char>& marked, std::int64_t work, Workers& workers,
 				 FilledPart& out)
 {
-	const auto isMarked = [&](int f) { return marked[std::size_t(f)] != 0; };
+	const auto isMarked = [&](int f) { return marked[f] != 0; };
 	const auto contacts = [&](const HalfEdgeMesh& m) {
 		return ofInput.othersIn(m, marked, workers).size();
 	};
@@ -67,12 +66,11 @@ bool changePatch(const MakingOfVertices& making, const InputContacts& ofInput, P
 	const std::vector<char> isChanged = changedFaces(before, changed.mesh);
 	if (contacts(changed.mesh) >= num || !staysWithin(before, marked, isChanged)) return false;
 
-	out.replaced      = part.inWhole(isChanged);
-	out.filled.mesh   = std::move(changed.mesh);
-	out.filled.vertex = std::move(changed.vertex);
-	out.filled.oldVertex.resize(part.vertex.size());
-	std::iota(out.filled.oldVertex.begin(), out.filled.oldVertex.end(), 0);
-	out.part = std::move(part);
+	out.replaced         = part.inWhole(isChanged);
+	out.filled.mesh      = std::move(changed.mesh);
+	out.filled.vertex    = std::move(changed.vertex);
+	out.filled.oldVertex = numbersBelow(part.vertex.size());
+	out.part             = std::move(part);
 	return true;
 }
 

@@ -26,7 +26,7 @@ constexpr double untestedMove = 1e-5;
 /// Number of vertex v in the result, or -1 inside patches.
 int oldVertex(const RefilledMesh& made, int v)
 {
-	return made.resultVertex[std::size_t(made.guarded->vertex[std::size_t(v)].anchor)];
+	return made.resultVertex[made.guarded->vertex[v].anchor];
 }
 
 /// The record of vertex v, on no curve. The point is the nearest in a search from vertex `near` of
@@ -47,10 +47,10 @@ ResultVertex recordOf(const Surface& surface, const ResultMesh& result, const Re
 	const GuardedMesh& g   = *made.guarded;
 	const int          old = oldVertex(made, v);
 	if (old < 0) {
-		const int anchor = g.vertex[std::size_t(v)].anchor;
-		return madeVertex(surface, made.inputVertex[std::size_t(anchor)], g, v);
+		const int anchor = g.vertex[v].anchor;
+		return madeVertex(surface, made.inputVertex[anchor], g, v);
 	}
-	const ResultVertex& before = result.vertex[std::size_t(old)];
+	const ResultVertex& before = result.vertex[old];
 	if (g.mesh.position[v] == result.mesh.position[old]) return before;
 	ResultVertex moved = madeVertex(surface, surface.mesh.origin[3 * before.point.face], g, v);
 	moved.sample       = before.sample;
@@ -114,11 +114,11 @@ void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<ch
 {
 	std::vector<int> labels;
 	for (int v : verticesOf(mesh(), facesOf(pairs))) {
-		const int anchor = refilled_.guarded->vertex[std::size_t(v)].anchor;
-		labels.push_back(refilled_.label[std::size_t(anchor)]);
+		const int anchor = refilled_.guarded->vertex[v].anchor;
+		labels.push_back(refilled_.label[anchor]);
 	}
 	for (int f : widened(result_.mesh, facesRound(result_.mesh, labels), ringsAround))
-		marked[std::size_t(f)] = 1;
+		marked[f] = 1;
 }
 
 /// Frees vertices next to patches, so that shapes change gradually.
@@ -129,12 +129,10 @@ void PatchFilling::freeAround()
 		std::vector<int> freed;
 		for (int v = 0; v < g.mesh.vertexNum; ++v) {
 			if (!g.isFixed(v) || !mayFree(v)) continue;
-			bool isNext = false;
-			forEachNeighbour(g.mesh, v, [&](int w) { isNext = isNext || !g.isFixed(w); });
-			if (isNext) freed.push_back(v);
+			if (anyNeighbour(g.mesh, v, [&](int w) { return !g.isFixed(w); })) freed.push_back(v);
 		}
 		for (int v : freed)
-			g.vertex[std::size_t(v)].isFixed = false;
+			g.vertex[v].isFixed = false;
 	}
 }
 
@@ -142,7 +140,7 @@ bool PatchFilling::mayFree(int v) const
 {
 	const int old = oldVertex(refilled_, v);
 	if (old < 0) return false;
-	const ResultVertex& vertex = result_.vertex[std::size_t(old)];
+	const ResultVertex& vertex = result_.vertex[old];
 	return !vertex.isPinned && !vertex.isShared && !vertex.isCorner && vertex.curve < 0;
 }
 

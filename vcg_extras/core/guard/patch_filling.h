@@ -10,7 +10,6 @@
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace gpr {

@@ -9,6 +9,7 @@
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/local_nearest.h>
+#include <vcg_extras/core/surface/nearest_samples.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,21 +57,12 @@ public:
 	const std::vector<int>& reached() const { return reached_; }
 
 private:
-	struct Entry {
-		float distance;
-		int   vertex, label;
-		bool  operator<(const Entry& o) const
-		{
-			if (distance != o.distance) return distance > o.distance;
-			return vertex != o.vertex ? vertex > o.vertex : label > o.label;
-		}
-	};
 	static constexpr int       notSeen = -1, outside = -2;
 	const HalfEdgeMesh&        m_;
 	std::size_t                mostReached_;
 	SparseArray<int>           label_; ///< per vertex of the input
 	std::vector<int>           reached_;
-	std::priority_queue<Entry> front_;
+	std::priority_queue<Reach> front_;
 
 	void push(float distance, int vertex, int label) { front_.push({distance, vertex, label}); }
 
@@ -78,11 +70,11 @@ private:
 	{
 		while (!front_.empty() && reached_.size() <= mostReached_) {
 			workers.poll();
-			const Entry e = front_.top();
+			const Reach e = front_.top();
 			front_.pop();
 			// A vertex too far from its nearest vertex of the result belongs to no cell, so that no
 			// other cell leaks out past it.
-			const int label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
+			const int label = e.distance > most[e.label] ? outside : e.label;
 			if (label_[e.vertex] != notSeen) continue;
 			label_.set(e.vertex, label);
 			if (label == outside) continue;
@@ -107,7 +99,7 @@ PatchInput facesInCells(const HalfEdgeMesh& m, const LocalCells& cells, Workers&
 	workers.poll(); // each step takes a tenth of a second with half a million faces
 	const std::vector<int> faces = facesBetween(m, local.inputVertex);
 	workers.poll();
-	const auto    inInput = [&](int h) { return 3 * faces[std::size_t(h / 3)] + h % 3; };
+	const auto    inInput = [&](int h) { return 3 * faces[h / 3] + h % 3; };
 	HalfEdgeMesh& to      = local.mesh;
 	to                    = facesAlone(m, faces, local.inputVertex);
 	workers.poll();
@@ -129,7 +121,7 @@ public:
 			m_(local.mesh)
 	{
 		for (int label : local.byEdges)
-			limit_.push_back((isDeep[std::size_t(label)] ? longestInside : longestAtBorder) *
+			limit_.push_back((isDeep[label] ? longestInside : longestAtBorder) *
 							 longestEdgeAt(result, label));
 	}
 
@@ -149,7 +141,7 @@ private:
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		squared          = squaredLength(m_.position[a] - m_.position[b]);
-		const float most = 0.5f * (limit_[std::size_t(a)] + limit_[std::size_t(b)]);
+		const float most = 0.5f * (limit_[a] + limit_[b]);
 		return squared > most * most;
 	}
 
@@ -206,12 +198,12 @@ void findNearest(const HalfEdgeMesh& result, const std::vector<char>& isDeep, Pa
 	const HalfEdgeMesh& m = local.mesh;
 	std::vector<Vec3f>  normal(std::size_t(m.vertexNum));
 	for (int h = 0; h < m.halfEdgeNum(); ++h)
-		normal[std::size_t(m.origin[h])] += m.faceCross(h / 3);
+		normal[m.origin[h]] += m.faceCross(h / 3);
 	local.byPlace = local.byEdges;
 	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
-		int& nearest = local.byPlace[std::size_t(v)];
-		if (isDeep[std::size_t(nearest)]) return; // patches only grow
-		nearest = labelAt(result, nearest, m.position[v], normal[std::size_t(v)]);
+		int& nearest = local.byPlace[v];
+		if (isDeep[nearest]) return; // patches only grow
+		nearest = labelAt(result, nearest, m.position[v], normal[v]);
 	});
 }
 
@@ -234,13 +226,10 @@ float longestEdgeAt(const HalfEdgeMesh& m, int v)
 
 std::vector<char> deepVertices(const HalfEdgeMesh& result, const std::vector<PatchRole>& role)
 {
-	const auto        isInside = [&](int v) { return role[std::size_t(v)] == PatchRole::Inside; };
+	const auto        isInside = [&](int v) { return role[v] == PatchRole::Inside; };
 	std::vector<char> isDeep(role.size());
 	for (int v = 0; v < result.vertexNum; ++v) {
-		isDeep[std::size_t(v)] = isInside(v);
-		forEachNeighbour(result, v, [&](int w) {
-			isDeep[std::size_t(v)] = isDeep[std::size_t(v)] && isInside(w);
-		});
+		isDeep[v] = isInside(v) && !anyNeighbour(result, v, [&](int w) { return !isInside(w); });
 	}
 	return isDeep;
 }
@@ -251,12 +240,12 @@ std::vector<int> PatchInput::labels(const HalfEdgeMesh&           result,
 	const std::vector<char> isDeep = deepVertices(result, role);
 	std::vector<int>        label  = byEdges;
 	for (std::size_t v = 0; v < label.size(); ++v) {
-		const PatchRole here = role[std::size_t(label[v])], there = role[std::size_t(byPlace[v])];
+		const PatchRole here = role[label[v]], there = role[byPlace[v]];
 		// A search that begins beyond the border of a patch and ends inside has come to another
 		// sheet.
 		const bool isBeyond = here == PatchRole::Near || here == PatchRole::Far;
 		const bool hasLeft  = isBeyond && there == PatchRole::Inside;
-		if (!isDeep[std::size_t(label[v])] && !hasLeft) label[v] = byPlace[v];
+		if (!isDeep[label[v]] && !hasLeft) label[v] = byPlace[v];
 	}
 	return label;
 }

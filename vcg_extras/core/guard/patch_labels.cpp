@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <map>
-#include <numeric>
 
 namespace gpr {
 
@@ -49,16 +48,16 @@ private:
 	std::vector<Piece>            piece_;
 	std::vector<int>              stack_, ring_;
 
-	int  labelOf(int v) const { return label_[std::size_t(v)]; }
-	bool isInside(int v) const { return role_[std::size_t(labelOf(v))] == PatchRole::Inside; }
-	bool isBorder(int v) const { return role_[std::size_t(labelOf(v))] == PatchRole::Border; }
+	int  labelOf(int v) const { return label_[v]; }
+	bool isInside(int v) const { return role_[labelOf(v)] == PatchRole::Inside; }
+	bool isBorder(int v) const { return role_[labelOf(v)] == PatchRole::Border; }
 
 	void findPieces()
 	{
 		pieceOf_.assign(std::size_t(m_.vertexNum), -1);
 		piece_.clear();
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (pieceOf_[std::size_t(v)] < 0 && (isInside(v) || isBorder(v))) gather(v);
+			if (pieceOf_[v] < 0 && (isInside(v) || isBorder(v))) gather(v);
 		}
 	}
 
@@ -66,17 +65,17 @@ private:
 	{
 		const int name = int(piece_.size());
 		Piece     piece;
-		piece.first                  = first;
-		pieceOf_[std::size_t(first)] = name;
-		stack_                       = {first};
+		piece.first     = first;
+		pieceOf_[first] = name;
+		stack_          = {first};
 		while (!stack_.empty()) {
 			const int v = stack_.back();
 			stack_.pop_back();
 			++piece.size;
 			forEachNeighbour(m_, v, [&](int w) {
 				const bool isSame = isInside(v) ? isInside(w) : labelOf(w) == labelOf(v);
-				if (!isSame || pieceOf_[std::size_t(w)] >= 0) return;
-				pieceOf_[std::size_t(w)] = name;
+				if (!isSame || pieceOf_[w] >= 0) return;
+				pieceOf_[w] = name;
 				stack_.push_back(w);
 			});
 		}
@@ -90,8 +89,8 @@ private:
 	{
 		std::vector<int> front;
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			const int piece = pieceOf_[std::size_t(v)];
-			if (piece >= 0 && isGiven[std::size_t(piece)]) front.push_back(v);
+			const int piece = pieceOf_[v];
+			if (piece >= 0 && isGiven[piece]) front.push_back(v);
 		}
 		const std::size_t givenNum = front.size();
 		for (std::size_t before = givenNum + 1; front.size() < before;) {
@@ -103,8 +102,8 @@ private:
 					left.push_back(v);
 					continue;
 				}
-				label_[std::size_t(v)]   = label;
-				pieceOf_[std::size_t(v)] = -1;
+				label_[v]   = label;
+				pieceOf_[v] = -1;
 			}
 			front = std::move(left);
 		}
@@ -116,8 +115,7 @@ private:
 	{
 		int found = -1;
 		forEachNeighbour(m_, v, [&](int w) {
-			const bool isSame = pieceOf_[std::size_t(w)] >= 0 &&
-								pieceOf_[std::size_t(w)] == pieceOf_[std::size_t(v)];
+			const bool isSame = pieceOf_[w] >= 0 && pieceOf_[w] == pieceOf_[v];
 			if (!isSame && may(w) && (found < 0 || isInside(w))) found = labelOf(w);
 		});
 		return found;
@@ -130,7 +128,7 @@ private:
 		for (std::size_t i = 0; i < piece_.size(); ++i) {
 			if (isInside(piece_[i].first)) continue;
 			const auto at = largest.emplace(labelOf(piece_[i].first), int(i)).first;
-			if (piece_[std::size_t(at->second)].size < piece_[i].size) at->second = int(i);
+			if (piece_[at->second].size < piece_[i].size) at->second = int(i);
 		}
 		std::vector<char> isGiven(piece_.size(), 0);
 		for (std::size_t i = 0; i < piece_.size(); ++i) {
@@ -158,9 +156,9 @@ private:
 	{
 		std::vector<std::vector<int>> met(piece_.size());
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			const int piece = pieceOf_[std::size_t(v)];
+			const int piece = pieceOf_[v];
 			if (piece < 0 || !isInside(v)) continue;
-			std::vector<int>& labels = met[std::size_t(piece)];
+			std::vector<int>& labels = met[piece];
 			forEachNeighbour(m_, v, [&](int w) {
 				if (isInside(w) || labels.size() > 2) return;
 				if (std::find(labels.begin(), labels.end(), labelOf(w)) == labels.end())
@@ -177,8 +175,8 @@ private:
 		std::vector<int> euler(piece_.size(), 0);
 		const auto       add = [&](std::initializer_list<int> corners, int sign) {
             for (int v : corners) {
-                if (pieceOf_[std::size_t(v)] < 0 || !isInside(v)) continue;
-                euler[std::size_t(pieceOf_[std::size_t(v)])] += sign;
+                if (pieceOf_[v] < 0 || !isInside(v)) continue;
+                euler[pieceOf_[v]] += sign;
                 return; // inner corners belong to the same piece
             }
 		};
@@ -196,14 +194,13 @@ private:
 	/// notch.
 	int fillGapsAndNotches()
 	{
-		int              changes = 0;
-		std::vector<int> vertices(std::size_t(m_.vertexNum)), beside;
-		std::iota(vertices.begin(), vertices.end(), 0);
-		const auto join = [&](int v, int label) {
-			if (label < 0) return;
-			label_[std::size_t(v)] = label;
-			++changes;
-			forEachNeighbour(m_, v, [&](int w) { beside.push_back(w); });
+		int              changes  = 0;
+		std::vector<int> vertices = numbersBelow(std::size_t(m_.vertexNum)), beside;
+		const auto       join     = [&](int v, int label) {
+            if (label < 0) return;
+            label_[v] = label;
+            ++changes;
+            forEachNeighbour(m_, v, [&](int w) { beside.push_back(w); });
 		};
 		while (!vertices.empty()) {
 			for (int v : vertices)
@@ -229,9 +226,7 @@ private:
 
 	bool meetsInside(int v) const
 	{
-		bool meets = false;
-		forEachNeighbour(m_, v, [&](int w) { meets = meets || isInside(w); });
-		return meets;
+		return anyNeighbour(m_, v, [&](int w) { return isInside(w); });
 	}
 
 	/// A border label that appears twice round v with other labels between, or -1.

@@ -76,7 +76,7 @@ private:
 	PatchPart&             part_;
 	HalfEdgeMesh&          m_;
 
-	int inWhole(int h) const { return 3 * part_.face[std::size_t(h / 3)] + h % 3; }
+	int inWhole(int h) const { return 3 * part_.face[h / 3] + h % 3; }
 
 	int oppositeOf(int h) const
 	{
@@ -97,7 +97,7 @@ private:
 		m_.position[v] = whole_.mesh.position[old];
 		forEachOutgoing(m_, v, [&](int g) { m_.origin[g] = v; });
 		part_.vertex.push_back(old);
-		part_.result.vertex.push_back(whole_.vertex[std::size_t(old)]);
+		part_.result.vertex.push_back(whole_.vertex[old]);
 	}
 };
 
@@ -106,15 +106,14 @@ private:
 bool PatchPart::hasRoomFor(const std::vector<char>& marked) const
 {
 	const std::vector<int> faces = widened(result.mesh, markedFaces(marked), ringsLooked);
-	return std::none_of(faces.begin(), faces.end(),
-						[&](int f) { return isRim[std::size_t(f)] != 0; });
+	return std::none_of(faces.begin(), faces.end(), [&](int f) { return isRim[f] != 0; });
 }
 
 std::vector<int> PatchPart::inWhole(const std::vector<char>& marked) const
 {
 	std::vector<int> faces;
 	for (int f : markedFaces(marked))
-		faces.push_back(face[std::size_t(f)]);
+		faces.push_back(face[f]);
 	std::sort(faces.begin(), faces.end());
 	return faces;
 }
@@ -161,7 +160,7 @@ public:
 		nameVertices();
 		for (const FilledPart& part : parts_) {
 			for (int f : part.replaced)
-				newFace_[std::size_t(f)] = -1;
+				newFace_[f] = -1;
 		}
 		for (int& name : newFace_)
 			name = name < 0 ? -1 : m_.faceNum++;
@@ -193,7 +192,7 @@ private:
 
 	int renamed(int h) const
 	{
-		const int f = newFace_[std::size_t(h / 3)];
+		const int f = newFace_[h / 3];
 		return f < 0 ? -1 : 3 * f + h % 3;
 	}
 
@@ -204,10 +203,10 @@ private:
 		for (const FilledPart& part : parts_) {
 			std::vector<char> isLeft(part.part.vertex.size(), 0);
 			for (int v : part.filled.oldVertex) {
-				if (v >= 0) isLeft[std::size_t(v)] = 1;
+				if (v >= 0) isLeft[v] = 1;
 			}
 			for (std::size_t v = 0; v < isLeft.size(); ++v) {
-				if (!isLeft[v]) newIndex_[std::size_t(part.part.vertex[v])] = -1;
+				if (!isLeft[v]) newIndex_[part.part.vertex[v]] = -1;
 			}
 		}
 		for (int& name : newIndex_)
@@ -215,9 +214,8 @@ private:
 		for (const FilledPart& part : parts_) {
 			vertexName_.emplace_back();
 			for (int v : part.filled.oldVertex) {
-				const int old = v < 0 ? -1 : part.part.vertex[std::size_t(v)];
-				vertexName_.back().push_back(old < 0 ? m_.vertexNum++
-													 : newIndex_[std::size_t(old)]);
+				const int old = v < 0 ? -1 : part.part.vertex[v];
+				vertexName_.back().push_back(old < 0 ? m_.vertexNum++ : newIndex_[old]);
 			}
 		}
 		vertex_.resize(std::size_t(m_.vertexNum));
@@ -227,12 +225,12 @@ private:
 	static int oldHalfEdge(const FilledPart& p, int h)
 	{
 		const HalfEdgeMesh& m   = p.filled.mesh;
-		const auto          old = [&](int v) { return p.filled.oldVertex[std::size_t(v)]; };
+		const auto          old = [&](int v) { return p.filled.oldVertex[v]; };
 		const int           a = old(m.origin[h]), b = old(m.target(h)), c = old(m.apex(h));
 		if (a < 0 || b < 0 || c < 0) return -1;
 		const int g = p.part.result.mesh.findHalfEdge(a, b);
 		if (g < 0 || p.part.result.mesh.apex(g) != c) return -1;
-		return 3 * p.part.face[std::size_t(g / 3)] + g % 3;
+		return 3 * p.part.face[g / 3] + g % 3;
 	}
 
 	/// Faces of the whole that remain get no name here.
@@ -255,17 +253,17 @@ private:
 			 const Elsewhere& elsewhere)
 	{
 		for (int h = 0; h < from.halfEdgeNum(); ++h) {
-			const int f = faceName[std::size_t(h / 3)];
+			const int f = faceName[h / 3];
 			if (f < 0) continue;
-			const int to = 3 * f + h % 3, v = from.origin[h], name = vertexName[std::size_t(v)];
+			const int to = 3 * f + h % 3, v = from.origin[h], name = vertexName[v];
 			m_.origin[to] = name;
 			if (m_.hasCreases()) m_.crease[to] = from.isCreaseEdge(h);
-			m_.position[name]          = from.position[v];
-			vertex_[std::size_t(name)] = vertex[std::size_t(v)];
-			m_.opposite[to]            = -1;
-			const int g                = from.opposite[h];
+			m_.position[name] = from.position[v];
+			vertex_[name]     = vertex[v];
+			m_.opposite[to]   = -1;
+			const int g       = from.opposite[h];
 			if (g < 0) continue;
-			const int across = faceName[std::size_t(g / 3)];
+			const int across = faceName[g / 3];
 			m_.opposite[to]  = across < 0 ? elsewhere(g) : 3 * across + g % 3;
 			if (m_.opposite[to] >= 0) m_.opposite[m_.opposite[to]] = to;
 		}

@@ -42,17 +42,17 @@ std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& mark
 		int faces = 0, inside = 0;
 		forEachOutgoing(m, v, [&](int h) {
 			++faces;
-			inside += marked[std::size_t(h / 3)] != 0;
+			inside += marked[h / 3] != 0;
 		});
 		if (inside == 0) continue;
-		role[std::size_t(v)] = inside == faces ? Role::Inside : Role::Border;
+		role[v] = inside == faces ? Role::Inside : Role::Border;
 	}
 	for (int ring = 0; ring < rings; ++ring) {
 		const std::vector<Role> before = role;
 		for (int v = 0; v < m.vertexNum; ++v) {
-			if (before[std::size_t(v)] == Role::Far) continue;
+			if (before[v] == Role::Far) continue;
 			forEachNeighbour(m, v, [&](int w) {
-				if (role[std::size_t(w)] == Role::Far) role[std::size_t(w)] = Role::Near;
+				if (role[w] == Role::Far) role[w] = Role::Near;
 			});
 		}
 	}
@@ -95,14 +95,14 @@ public:
 	{
 		const HalfEdgeMesh& m = local_.mesh;
 		std::vector<int>    euler(role_.size(), 0);
-		const auto          label = [&](int v) { return label_[std::size_t(v)]; };
+		const auto          label = [&](int v) { return label_[v]; };
 		for (int v = 0; v < m.vertexNum; ++v)
-			++euler[std::size_t(label(v))];
+			++euler[label(v)];
 		for (int h = 0; h < m.halfEdgeNum(); ++h) {
 			const int here = label(m.origin[h]);
 			if (here != label(m.target(h))) continue;
-			if (m.opposite[h] < h) --euler[std::size_t(here)];
-			if (h % 3 == 0 && here == label(m.apex(h))) ++euler[std::size_t(here)];
+			if (m.opposite[h] < h) --euler[here];
+			if (h % 3 == 0 && here == label(m.apex(h))) ++euler[here];
 		}
 		for (std::size_t v = 0; v < role_.size(); ++v) {
 			if (role_[v] == Role::Border && euler[v] != 1) culprits_.push_back(int(v));
@@ -152,15 +152,14 @@ private:
 						  std::max(result_.idealEdge, longestEdgeAt(result_.mesh, int(v)));
 		}
 		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
-			const int label = label_[std::size_t(v)];
+			const int label = label_[v];
 			if (roleOf(label) != Role::Border) continue;
-			if (length(local_.mesh.position[v] - result_.mesh.position[label]) >
-				most[std::size_t(label)])
+			if (length(local_.mesh.position[v] - result_.mesh.position[label]) > most[label])
 				culprits_.push_back(label);
 		}
 	}
 
-	Role roleOf(int resultVertex) const { return role_[std::size_t(resultVertex)]; }
+	Role roleOf(int resultVertex) const { return role_[resultVertex]; }
 
 	void nameVertices()
 	{
@@ -170,17 +169,16 @@ private:
 		nameOfLocal_.assign(std::size_t(local_.mesh.vertexNum), -1);
 		for (int v = 0; v < r.vertexNum; ++v) {
 			if (roleOf(v) == Role::Inside) continue;
-			nameOfResult_[std::size_t(v)] = addVertex(v, -1, v, r.position[v]);
+			nameOfResult_[v] = addVertex(v, -1, v, r.position[v]);
 		}
 		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
-			const int label = label_[std::size_t(v)];
+			const int label = label_[v];
 			if (roleOf(label) != Role::Inside) {
-				nameOfLocal_[std::size_t(v)] = nameOfResult_[std::size_t(label)];
+				nameOfLocal_[v] = nameOfResult_[label];
 				continue;
 			}
 			if (local_.mesh.outgoing[v] < 0) continue;
-			nameOfLocal_[std::size_t(v)] =
-				addVertex(-1, local_.inputVertex[std::size_t(v)], label, local_.mesh.position[v]);
+			nameOfLocal_[v] = addVertex(-1, local_.inputVertex[v], label, local_.mesh.position[v]);
 		}
 	}
 
@@ -199,10 +197,10 @@ private:
 	{
 		const HalfEdgeMesh& r = result_.mesh;
 		for (int f = 0; f < r.faceNum; ++f) {
-			if (marked_[std::size_t(f)]) continue;
+			if (marked_[f]) continue;
 			Triangle t;
 			for (int k = 0; k < 3; ++k)
-				t[std::size_t(k)] = nameOfResult_[std::size_t(r.origin[3 * f + k])];
+				t[k] = nameOfResult_[r.origin[3 * f + k]];
 			triangle_.push_back(t);
 		}
 		for (int f = 0; f < local_.mesh.faceNum; ++f)
@@ -214,9 +212,9 @@ private:
 		Triangle t;
 		int      inside = 0, border = 0;
 		for (int k = 0; k < 3; ++k) {
-			const int v       = corner[k];
-			t[std::size_t(k)] = nameOfLocal_[std::size_t(v)];
-			const Role role   = roleOf(label_[std::size_t(v)]);
+			const int v     = corner[k];
+			t[k]            = nameOfLocal_[v];
+			const Role role = roleOf(label_[v]);
 			inside += role == Role::Inside;
 			border += role == Role::Border;
 		}
@@ -231,7 +229,7 @@ private:
 		if (inside == 0) return;
 		// The inside meets vertices beyond the border.
 		for (int k = 0; k < 3; ++k) {
-			const int label = label_[std::size_t(corner[k])];
+			const int label = label_[corner[k]];
 			if (roleOf(label) != Role::Inside && roleOf(label) != Role::Border)
 				culprits_.push_back(label);
 		}
@@ -240,35 +238,31 @@ private:
 	void blameAll(const int* corner)
 	{
 		for (int k = 0; k < 3; ++k)
-			culprits_.push_back(label_[std::size_t(corner[k])]);
+			culprits_.push_back(label_[corner[k]]);
 	}
 
 	/// Whether three fixed vertices lie on a line.
 	bool isLineOfResult(const Triangle& t) const
 	{
-		const auto at = [&](std::size_t k) {
-			return result_.mesh.position[resultVertex_[std::size_t(t[k])]];
-		};
+		const auto at = [&](std::size_t k) { return result_.mesh.position[resultVertex_[t[k]]]; };
 		return isLine(at(0), at(1), at(2), cross(at(1) - at(0), at(2) - at(0)));
 	}
 
 	/// Whether the result has an unmarked face between these vertices.
 	bool isLeft(const Triangle& t) const
 	{
-		const int h = result_.mesh.findHalfEdge(resultVertex_[std::size_t(t[0])],
-												resultVertex_[std::size_t(t[1])]);
-		return h >= 0 && !marked_[std::size_t(h / 3)] &&
-			   result_.mesh.apex(h) == resultVertex_[std::size_t(t[2])];
+		const int h = result_.mesh.findHalfEdge(resultVertex_[t[0]], resultVertex_[t[1]]);
+		return h >= 0 && !marked_[h / 3] && result_.mesh.apex(h) == resultVertex_[t[2]];
 	}
 
 	bool mayBeBorder(int v) const
 	{
-		const int w = resultVertex_[std::size_t(v)];
+		const int w = resultVertex_[v];
 		if (w >= 0) return result_.mesh.isBorderVertex(w);
-		return surface_.mesh.isBorderVertex(inputVertex_[std::size_t(v)]);
+		return surface_.mesh.isBorderVertex(inputVertex_[v]);
 	}
 
-	void blame(int v) { culprits_.push_back(labelOf_[std::size_t(v)]); }
+	void blame(int v) { culprits_.push_back(labelOf_[v]); }
 
 	/// Whether the sides of an edge are a pair. Blames the ends if the sides cannot be all sides of
 	/// an edge of the result: more than two, or a single side inside of the surface.
@@ -293,7 +287,7 @@ private:
 		mesh_.meetsAtPlaces = result_.mesh.meetsAtPlaces;
 		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
 		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
-			mesh_.origin[h] = triangle_[std::size_t(h / 3)][std::size_t(h % 3)];
+			mesh_.origin[h] = triangle_[h / 3][h % 3];
 		linkFaces(mesh_, workers_,
 				  [&](const EdgeSide* side, std::size_t num) { return isPair(side, num); });
 	}
@@ -303,9 +297,9 @@ private:
 	{
 		std::vector<int> faces(std::size_t(mesh_.vertexNum), 0);
 		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
-			++faces[std::size_t(mesh_.origin[h])];
+			++faces[mesh_.origin[h]];
 		for (int v = 0; v < mesh_.vertexNum; ++v) {
-			if (faces[std::size_t(v)] != mesh_.valence(v) || faces[std::size_t(v)] == 0) blame(v);
+			if (faces[v] != mesh_.valence(v) || faces[v] == 0) blame(v);
 		}
 	}
 
@@ -315,10 +309,10 @@ private:
 			if (resultVertex_[v] >= 0) g.vertex[v].isFixed = true;
 		}
 		for (int v = 0; v < local_.ownNum; ++v) {
-			const int name = nameOfLocal_[std::size_t(v)];
-			if (name >= 0 && std::binary_search(keptInput.begin(), keptInput.end(),
-												local_.inputVertex[std::size_t(v)]))
-				g.vertex[std::size_t(name)].isFixed = true;
+			const int name = nameOfLocal_[v];
+			if (name >= 0 &&
+				std::binary_search(keptInput.begin(), keptInput.end(), local_.inputVertex[v]))
+				g.vertex[name].isFixed = true;
 		}
 	}
 };
@@ -385,8 +379,8 @@ bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int ring
 	for (std::size_t before = 0; here.size() > before;) {
 		bool isNew = false;
 		for (int f : here) {
-			isNew                  = isNew || !marked[std::size_t(f)];
-			marked[std::size_t(f)] = 1;
+			isNew     = isNew || !marked[f];
+			marked[f] = 1;
 		}
 		if (isNew) return true;
 		before = here.size();
@@ -400,9 +394,7 @@ std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 						   const std::vector<char>& marked)
 {
 	const auto isInside = [&](int v) {
-		bool areMarked = true;
-		forEachOutgoing(m, v, [&](int h) { areMarked = areMarked && marked[std::size_t(h / 3)]; });
-		return areMarked;
+		return !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
 	};
 	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
 	return vertices;

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace gpr {
@@ -91,13 +90,13 @@ private:
 	/// other.
 	void findPatches(const std::vector<FacePair>& pairs, int rings)
 	{
-		const HalfEdgeMesh&    m     = result_.mesh;
-		const std::vector<int> faces = widened(m, facesOf(pairs), rings);
-		std::vector<int>       parent(std::size_t(m.faceNum)), faceAt(std::size_t(m.vertexNum), -1);
-		std::iota(parent.begin(), parent.end(), 0);
+		const HalfEdgeMesh&    m      = result_.mesh;
+		const std::vector<int> faces  = widened(m, facesOf(pairs), rings);
+		std::vector<int>       parent = numbersBelow(std::size_t(m.faceNum));
+		std::vector<int>       faceAt(std::size_t(m.vertexNum), -1);
 		for (int f : faces) {
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				int& first = faceAt[std::size_t(m.origin[h])];
+				int& first = faceAt[m.origin[h]];
 				if (first < 0) first = f;
 				joinSets(parent, first, f);
 			}
@@ -149,10 +148,10 @@ private:
 	bool claim(const std::vector<int>& faces, std::vector<char>& isTaken) const
 	{
 		for (int f : widened(result_.mesh, faces, 1)) {
-			if (isTaken[std::size_t(f)]) return false;
+			if (isTaken[f]) return false;
 		}
 		for (int f : faces)
-			isTaken[std::size_t(f)] = 1;
+			isTaken[f] = 1;
 		return true;
 	}
 
@@ -198,7 +197,7 @@ private:
 	{
 		std::vector<int> num(std::size_t(components.num), 0);
 		for (int c : components.ofFace)
-			++num[std::size_t(c)];
+			++num[c];
 		return num;
 	}
 
@@ -208,9 +207,9 @@ private:
 	{
 		std::map<int, int> numOf;
 		for (int f : faces)
-			++numOf[components.ofFace[std::size_t(f)]];
+			++numOf[components.ofFace[f]];
 		return std::any_of(numOf.begin(), numOf.end(), [&](const std::pair<const int, int>& num) {
-			const int all = faceNum[std::size_t(num.first)];
+			const int all = faceNum[num.first];
 			return all > smallComponent && num.second > int(mostOfComponent * all);
 		});
 	}
@@ -287,7 +286,7 @@ private:
 	{
 		std::vector<int> left;
 		for (int v : vertices) {
-			if (newIndex[std::size_t(v)] >= 0) left.push_back(newIndex[std::size_t(v)]);
+			if (newIndex[v] >= 0) left.push_back(newIndex[v]);
 		}
 		vertices = std::move(left);
 	}

@@ -21,17 +21,17 @@ public:
 
 	Value operator[](int i) const
 	{
-		const Page* page = page_[std::size_t(i / pageSize)].get();
-		return page == nullptr ? rest_ : (*page)[std::size_t(i % pageSize)];
+		const Page* page = page_[i / pageSize].get();
+		return page == nullptr ? rest_ : (*page)[i % pageSize];
 	}
 	void set(int i, Value value)
 	{
-		std::unique_ptr<Page>& page = page_[std::size_t(i / pageSize)];
+		std::unique_ptr<Page>& page = page_[i / pageSize];
 		if (page == nullptr) {
 			page = std::make_unique<Page>();
 			page->fill(rest_);
 		}
-		(*page)[std::size_t(i % pageSize)] = value;
+		(*page)[i % pageSize] = value;
 	}
 
 private:

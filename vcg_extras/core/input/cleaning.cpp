@@ -10,7 +10,6 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/components.h>
-#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -22,18 +21,13 @@ constexpr int none = -1;
 
 using Edge = std::pair<int, int>; ///< the smaller vertex first
 
-Edge edgeOf(int a, int b)
-{
-	return std::minmax({a, b});
-}
-
 std::vector<Edge> findEdgesWithoutLength(const IndexedMesh& mesh, Workers& workers)
 {
 	std::vector<Edge> edges = workers.collectEach<Edge>(mesh.faceNum, [&](int f, auto& out) {
 		const int* corner = &mesh.triangle[3 * f];
 		for (int k = 0; k < 3; ++k) {
 			const int a = corner[k], b = corner[(k + 1) % 3];
-			if (mesh.position[a] == mesh.position[b]) out.push_back(edgeOf(a, b));
+			if (mesh.position[a] == mesh.position[b]) out.push_back(std::minmax({a, b}));
 		}
 	});
 	sortUnique(edges);
@@ -57,9 +51,9 @@ public:
 		if (in.size() == 3) ++innerFaceNum_;
 		if (in.size() == 2) {
 			++facesTo_[out[0]];
-			apexOf_[edgeOf(in[0], in[1])] = out[0];
+			apexOf_[std::minmax({in[0], in[1]})] = out[0];
 		}
-		if (in.size() == 1) addOpposite(edgeOf(out[0], out[1]));
+		if (in.size() == 1) addOpposite(std::minmax({out[0], out[1]}));
 		for (int k = 0; k < 3; ++k)
 			addSide(corner[k], corner[(k + 1) % 3]);
 	}
@@ -121,18 +115,18 @@ private:
 	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
 	void addSide(int a, int b)
 	{
-		if (isInside(a) || isInside(b)) ++faceNum_[edgeOf(a, b)];
+		if (isInside(a) || isInside(b)) ++faceNum_[std::minmax({a, b})];
 	}
 
 	void fillSlit(int beside, int a, int b)
 	{
-		const auto inner = faceNum_.find(edgeOf(a, b));
+		const auto inner = faceNum_.find(std::minmax({a, b}));
 		if (inner == faceNum_.end() || inner->second != 1) return;
 		const auto apex = apexOf_.find(inner->first);
 		if (apex != apexOf_.end() && apex->second == beside) return; // a face, and no hole
 		++inner->second;
-		++faceNum_[edgeOf(a, beside)];
-		++faceNum_[edgeOf(b, beside)];
+		++faceNum_[std::minmax({a, beside})];
+		++faceNum_[std::minmax({b, beside})];
 		++facesTo_[beside];
 	}
 };
@@ -143,9 +137,8 @@ class Contraction {
 public:
 	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) :
 			mesh_(mesh), poller_(workers), firstOf_(std::size_t(mesh.vertexNum), none),
-			newName_(std::size_t(mesh.vertexNum))
+			newName_(numbersBelow(std::size_t(mesh.vertexNum)))
 	{
-		std::iota(newName_.begin(), newName_.end(), 0);
 		findClusters(edges);
 		findFaces(workers);
 	}

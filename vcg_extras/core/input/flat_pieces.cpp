@@ -75,9 +75,8 @@ class FlatFinder {
 public:
 	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin, Workers& workers) :
 			m_(mesh), poller_(workers), thin_(std::move(thin)), seen_(thin_.size(), 0),
-			gone_(thin_.size(), 0), pieceOf_(thin_.size())
+			gone_(thin_.size(), 0), pieceOf_(numbersBelow(thin_.size()))
 	{
-		std::iota(pieceOf_.begin(), pieceOf_.end(), 0);
 		for (int f : thin_)
 			extent_.emplace_back(m_, f);
 	}
@@ -212,9 +211,7 @@ private:
 
 	bool isInner(int v) const
 	{
-		bool inner = true;
-		forEachOutgoing(m_, v, [&](int h) { inner = inner && !isBorder(h); });
-		return inner && !m_.isBorderVertex(v);
+		return !m_.isBorderVertex(v) && !anyOutgoing(m_, v, [&](int h) { return isBorder(h); });
 	}
 };
 
@@ -240,10 +237,8 @@ std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
 bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
 {
 	std::atomic<bool> foundOther{false};
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end && !foundOther; ++f) {
-			if (!isThin(mesh.position, &mesh.triangle[3 * f])) foundOther = true;
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		if (!foundOther && !isThin(mesh.position, &mesh.triangle[3 * f])) foundOther = true;
 	});
 	return !foundOther;
 }

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace gpr {
@@ -65,7 +65,7 @@ public:
 		findStops();
 		samplePieces();
 		for (std::size_t v = 0; v < isKept.size(); ++v)
-			isKept[v] = isKeptPlace_[std::size_t(place_[v])];
+			isKept[v] = isKeptPlace_[place_[v]];
 	}
 
 private:
@@ -91,10 +91,7 @@ public:
 	}
 
 private:
-	int placeOf(int corner) const
-	{
-		return place_[std::size_t(input_.vertexOf(std::size_t(corner)))];
-	}
+	int placeOf(int corner) const { return place_[input_.vertexOf(std::size_t(corner))]; }
 	/// Begin of an edge; for a translate, begin of the edge with the computed samples.
 	Vec3d at(int e) const { return translated(edge[e].begin, edge[e].shift); }
 	/// End of an edge, as at().
@@ -115,8 +112,7 @@ private:
 	void numberPlaces()
 	{
 		const auto positionOf = [&](std::int32_t v) { return input_.position(std::size_t(v)); };
-		place_.resize(input_.vertexNum);
-		std::iota(place_.begin(), place_.end(), 0);
+		place_                = numbersBelow(input_.vertexNum);
 		std::vector<std::int32_t> order;
 		std::copy_if(place_.begin(), place_.end(), std::back_inserter(order),
 					 [&](std::int32_t v) { return isFinite(positionOf(v)); });
@@ -125,7 +121,7 @@ private:
 		});
 		for (std::size_t i = 0; i < order.size(); ++i) {
 			const bool isSame = i > 0 && positionOf(order[i]) == positionOf(order[i - 1]);
-			place_[std::size_t(order[i])] = isSame ? place_[std::size_t(order[i - 1])] : order[i];
+			place_[order[i]]  = isSame ? place_[order[i - 1]] : order[i];
 		}
 		isKeptPlace_.assign(place_.size(), 0);
 	}
@@ -216,7 +212,7 @@ private:
 				isNodeAt(place) || std::any_of(others.begin(), others.end(),
 											   [&](int other) { return isNodeAt(other); });
 			if (isNode) continue;
-			const bool isInOrder = edge[std::size_t(here[0])].end == place;
+			const bool isInOrder = edge[here[0]].end == place;
 			const int  a = here[isInOrder ? 0 : 1], b = here[isInOrder ? 1 : 0];
 			edge[a].next = b;
 			edge[b].last = a;
@@ -229,8 +225,8 @@ private:
 	{
 		const auto found = edgesAt_.find(place);
 		if (found == edgesAt_.end() || found->second.size() != 2) return true;
-		const BorderEdge& a = edge[std::size_t(found->second[0])];
-		const BorderEdge& b = edge[std::size_t(found->second[1])];
+		const BorderEdge& a = edge[found->second[0]];
+		const BorderEdge& b = edge[found->second[1]];
 		return (a.end == place) == (b.end == place) || a.corners.size() != b.corners.size() ||
 			   a.shift != b.shift ||
 			   periodic_.axesOnward(a.ends()) != periodic_.axesOnward(b.ends());
@@ -515,7 +511,7 @@ void addParts(const MeshView& input, std::int32_t f, Part whole, MatchedBorder& 
 BarycentricPoint ofCaller(const MatchedBorder& matched, const BarycentricPoint& at)
 {
 	BarycentricPoint out;
-	out.face      = matched.faceOf[std::size_t(at.face)];
+	out.face      = matched.faceOf[at.face];
 	out.weight[0] = 0;
 	for (std::size_t k = 0; k < 3; ++k) {
 		const MatchedBorder::Corner& c = matched.cornerAt[3 * std::size_t(at.face) + k];

@@ -160,7 +160,7 @@ public:
 		const int           num = (surface_.mesh.vertexNum + stride - 1) / stride;
 		std::vector<double> distance(static_cast<std::size_t>(num));
 		workers_.forEach(distance.size(),
-						 [&](int i) { distance[std::size_t(i)] = ofVertex(plane, i * stride); });
+						 [&](int i) { distance[i] = ofVertex(plane, i * stride); });
 		const auto most = std::max_element(distance.begin(), distance.end());
 		return {plane, *most, placeOf(surface_, int(most - distance.begin()) * stride)};
 	}
@@ -244,7 +244,7 @@ private:
 	std::vector<CutCorner>             rest_;
 	MirrorHalf                         out_;
 
-	double height(int v) const { return coordinate(place_[std::size_t(v)], plane_.heightAxis()); }
+	double height(int v) const { return coordinate(place_[v], plane_.heightAxis()); }
 
 	void findPlaces()
 	{
@@ -284,8 +284,8 @@ private:
 
 	std::int32_t nameOfVertex(int v)
 	{
-		std::int32_t& name = nameOf_[std::size_t(v)];
-		if (name == none) name = add(place_[std::size_t(v)], pointOfVertex(surface_, v));
+		std::int32_t& name = nameOf_[v];
+		if (name == none) name = add(place_[v], pointOfVertex(surface_, v));
 		return name;
 	}
 
@@ -295,8 +295,7 @@ private:
 		const auto [entry, isNew] = onEdge_.try_emplace({a, b}, none);
 		if (!isNew) return entry->second;
 		const double share = height(a) / (height(a) - height(b));
-		Vec3d        place =
-			place_[std::size_t(a)] + (place_[std::size_t(b)] - place_[std::size_t(a)]) * share;
+		Vec3d        place = place_[a] + (place_[b] - place_[a]) * share;
 		setCoordinate(place, plane_.heightAxis(), 0.0);
 		const Vec3f at       = m_.position[a] + (m_.position[b] - m_.position[a]) * float(share);
 		return entry->second = add(place, {at, f});
@@ -307,8 +306,7 @@ private:
 	{
 		if (rest_.size() == 3) return addFace(f, rest_[0], rest_[1], rest_[2]);
 		const auto between = [&](std::size_t a, std::size_t b) {
-			return length(out_.positions[std::size_t(rest_[a].vertex)] -
-						  out_.positions[std::size_t(rest_[b].vertex)]);
+			return length(out_.positions[rest_[a].vertex] - out_.positions[rest_[b].vertex]);
 		};
 		if (between(1, 3) < between(0, 2))
 			std::rotate(rest_.begin(), rest_.begin() + 1, rest_.end());

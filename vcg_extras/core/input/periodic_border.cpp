@@ -9,9 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <numeric>
 #include <set>
-#include <string>
 
 namespace gpr {
 
@@ -28,7 +26,7 @@ public:
 			position_(position), reach_(reach)
 	{
 		for (const int v : vertices)
-			in_[cellOf(position[std::size_t(v)])].push_back(v);
+			in_[cellOf(position[v])].push_back(v);
 	}
 
 	/// The nearest vertex within the reach, or none; of equally near vertices the vertex with the
@@ -43,7 +41,7 @@ public:
 			const auto found = in_.find(cellOf(to + corner));
 			if (found == in_.end()) continue;
 			for (const int v : found->second) {
-				const double d = length(position_[std::size_t(v)] - to);
+				const double d = length(position_[v] - to);
 				if (d > far || (d == far && v >= best && best != none)) continue;
 				best = v;
 				far  = d;
@@ -73,11 +71,6 @@ Vec3d alongAxis(int axis, double by)
 	return v;
 }
 
-PeriodicBorder::Edge ordered(int a, int b)
-{
-	return std::minmax({a, b});
-}
-
 /// A vertex without a translate, and the missing place.
 struct Miss {
 	int   vertex = none, axis = 0;
@@ -95,12 +88,12 @@ struct Miss {
 	for (std::size_t i = 0; i < misses.size(); i += step) {
 		double nearest = HUGE_VAL;
 		for (const int v : vertices)
-			nearest = std::min(nearest, length(position[std::size_t(v)] - misses[i].wanted));
+			nearest = std::min(nearest, length(position[v] - misses[i].wanted));
 		if (nearest <= mismatch) continue;
 		mismatch = nearest;
 		worst    = misses[i];
 	}
-	const Vec3d at = position[std::size_t(worst.vertex)];
+	const Vec3d at = position[worst.vertex];
 	const bool  isMatched =
 		mismatch <= tolerance * std::abs(coordinate(worst.wanted - at, worst.axis));
 	const char* const format =
@@ -126,8 +119,7 @@ PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::ve
 	sortUnique(vertices);
 	if (vertices.empty())
 		throw Failure(Status::UnusableInput, "The surface has no border for a periodic cell.");
-	root_.resize(position.size());
-	std::iota(root_.begin(), root_.end(), 0);
+	root_ = numbersBelow(position.size());
 	shift_.assign(position.size(), Shift{});
 	for (int axis = 0; axis < 3; ++axis)
 		pair(axis, position, vertices);
@@ -138,33 +130,33 @@ PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::ve
 void PeriodicBorder::pair(int axis, const std::vector<Vec3d>& position,
 						  const std::vector<int>& vertices)
 {
-	std::vector<int>& before = before_[std::size_t(axis)];
-	std::vector<int>& after  = after_[std::size_t(axis)];
+	std::vector<int>& before = before_[axis];
+	std::vector<int>& after  = after_[axis];
 	before.assign(position.size(), none);
 	after.assign(position.size(), none);
 	const double by = coordinate(period_, axis);
 	if (by == 0) return;
 	const VertexGrid grid(position, vertices, tolerance * by);
 	for (const int v : vertices) {
-		const int found = grid.nearest(position[std::size_t(v)] + alongAxis(axis, by));
+		const int found = grid.nearest(position[v] + alongAxis(axis, by));
 		// A period below the rounding of coordinates leads to no other vertex.
-		const bool isBeyond = found != none && coordinate(position[std::size_t(found)], axis) >
-												   coordinate(position[std::size_t(v)], axis);
-		if (!isBeyond || before[std::size_t(found)] != none) continue;
-		before[std::size_t(found)] = v;
-		after[std::size_t(v)]      = found;
+		const bool isBeyond =
+			found != none && coordinate(position[found], axis) > coordinate(position[v], axis);
+		if (!isBeyond || before[found] != none) continue;
+		before[found] = v;
+		after[v]      = found;
 	}
 }
 
 void PeriodicBorder::findRoots()
 {
 	for (int v = 0; v < int(root_.size()); ++v) {
-		int& root = root_[std::size_t(v)];
+		int& root = root_[v];
 		for (int axis = 0; axis < 3; ++axis) {
-			const int before = before_[std::size_t(axis)][std::size_t(root)];
+			const int before = before_[axis][root];
 			if (before == none) continue;
 			root = before;
-			if (++shift_[std::size_t(v)][std::size_t(axis)] > 1) {
+			if (++shift_[v][axis] > 1) {
 				throw Failure(Status::UnusableInput,
 							  "The period is shorter than the cell: more than two vertices of the "
 							  "border lie in a row, one period apart.");
@@ -187,8 +179,7 @@ unsigned PeriodicBorder::axesOnward(const Edge& edge) const
 	unsigned axes = 0;
 	for (std::size_t axis = 0; any() && axis < 3; ++axis) {
 		const std::vector<int>& after = after_[axis];
-		if (after[std::size_t(edge.first)] != none && after[std::size_t(edge.second)] != none)
-			axes |= 1u << axis;
+		if (after[edge.first] != none && after[edge.second] != none) axes |= 1u << axis;
 	}
 	return axes;
 }
@@ -197,7 +188,7 @@ std::vector<int> PeriodicBorder::neighboursOf(int v) const
 {
 	std::vector<int> all;
 	for (std::size_t axis = 0; any() && axis < 3; ++axis) {
-		for (const int other : {before_[axis][std::size_t(v)], after_[axis][std::size_t(v)]}) {
+		for (const int other : {before_[axis][v], after_[axis][v]}) {
 			if (other != none) all.push_back(other);
 		}
 	}
@@ -213,12 +204,12 @@ std::vector<PeriodicBorder::Edge> PeriodicBorder::alone(const std::vector<Edge>&
 {
 	std::set<Edge> known;
 	for (const Edge& e : edges)
-		known.insert(ordered(e.first, e.second));
+		known.insert(std::minmax({e.first, e.second}));
 	const auto isAlone = [&](const Edge& e) {
 		for (const auto& by : {before_, after_}) {
 			for (const std::vector<int>& other : by) {
-				const int a = other[std::size_t(e.first)], b = other[std::size_t(e.second)];
-				if (a != none && b != none && known.count(ordered(a, b)) != 0) return false;
+				const int a = other[e.first], b = other[e.second];
+				if (a != none && b != none && known.count(std::minmax({a, b})) != 0) return false;
 			}
 		}
 		return true;
@@ -236,7 +227,7 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 	for (int axis = 0; axis < 3; ++axis) {
 		const double by = coordinate(period_, axis);
 		if (by == 0) continue;
-		const auto at      = [&](int v) { return coordinate(position[std::size_t(v)], axis); };
+		const auto at      = [&](int v) { return coordinate(position[v], axis); };
 		const auto isBelow = [&](int a, int b) { return at(a) < at(b); };
 		const auto ends    = std::minmax_element(vertices.begin(), vertices.end(), isBelow);
 		const auto lieAt   = [&](const Edge& e, int end) {
@@ -247,7 +238,7 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 			const double sign = lieAt(e, *ends.first) ? 1 : lieAt(e, *ends.second) ? -1 : 0;
 			if (sign == 0) continue;
 			for (const int v : {e.first, e.second})
-				misses.push_back({v, axis, position[std::size_t(v)] + alongAxis(axis, sign * by)});
+				misses.push_back({v, axis, position[v] + alongAxis(axis, sign * by)});
 		}
 	}
 	if (!misses.empty()) refuse(misses, position, vertices);

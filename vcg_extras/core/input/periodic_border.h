@@ -33,9 +33,9 @@ public:
 	bool any() const { return !root_.empty(); }
 	/// The root of v: the translate of v without a translate before it; v itself if v has no
 	/// translate before it.
-	int rootOf(int v) const { return any() ? root_[std::size_t(v)] : v; }
+	int rootOf(int v) const { return any() ? root_[v] : v; }
 	/// The periods from the root to v.
-	Shift shiftOf(int v) const { return any() ? shift_[std::size_t(v)] : Shift{}; }
+	Shift shiftOf(int v) const { return any() ? shift_[v] : Shift{}; }
 	/// The least periods of an edge's two vertices from their roots, along each axis.
 	Shift shiftOf(const Edge& edge) const;
 	/// The axes, as bits, along which an edge has a translate one period on.

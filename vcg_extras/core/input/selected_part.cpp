@@ -35,7 +35,7 @@ SelectedPart cutOutSelected(const MeshView& input)
 		part.faceOf.push_back(std::int32_t(f));
 		if (input.region != nullptr) part.region.push_back(input.region[f]);
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
-			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
+			std::int32_t& index = newIndex[input.vertexOf(c)];
 			if (index < 0) {
 				index = std::int32_t(part.vertexOf.size());
 				addVertex(input, input.vertexOf(c), part);

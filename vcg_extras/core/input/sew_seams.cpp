@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace gpr {
@@ -72,10 +70,7 @@ struct Seam {
 /// set. Each number is two items: as it is, and turned over.
 class TurnableSets {
 public:
-	explicit TurnableSets(std::size_t num) : parent_(2 * num)
-	{
-		std::iota(parent_.begin(), parent_.end(), 0);
-	}
+	explicit TurnableSets(std::size_t num) : parent_(numbersBelow(2 * num)) {}
 
 	/// Joins a and b, turned over against each other or not. False if a and b are already joined
 	/// with the other value of `turned`.

@@ -9,7 +9,6 @@
 #include <vcg_extras/core/results.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace gpr {
 

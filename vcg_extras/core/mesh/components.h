@@ -28,12 +28,12 @@ Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinke
 	int              visitedNum = 0;
 	found.ofFace.assign(std::size_t(m.faceNum), -1);
 	const auto visit = [&](int f) {
-		if (found.ofFace[std::size_t(f)] >= 0) return;
-		found.ofFace[std::size_t(f)] = found.num;
+		if (found.ofFace[f] >= 0) return;
+		found.ofFace[f] = found.num;
 		stack.push_back(f);
 	};
 	for (int f = 0; f < m.faceNum; ++f) {
-		if (found.ofFace[std::size_t(f)] >= 0) continue;
+		if (found.ofFace[f] >= 0) continue;
 		visit(f);
 		while (!stack.empty()) {
 			const int g = stack.back();

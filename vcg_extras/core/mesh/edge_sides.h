@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
-#include <vector>
 
 namespace gpr {
 

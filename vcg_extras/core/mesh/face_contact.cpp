@@ -251,7 +251,7 @@ std::vector<int> facesAtMirror(const HalfEdgeMesh& m, const std::vector<char>& w
 {
 	if (m.mirrorAxis < 0) return {};
 	return workers.collectIf(std::size_t(m.faceNum), [&](int f) {
-		return (wanted.empty() || wanted[std::size_t(f)] != 0) && reachesMirrorImage(m, f);
+		return (wanted.empty() || wanted[f] != 0) && reachesMirrorImage(m, f);
 	});
 }
 
@@ -329,10 +329,10 @@ std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 		last = std::max(last, pair.second);
 	std::vector<char> isMarked(std::size_t(last + 1), 0);
 	for (const FacePair& pair : pairs)
-		isMarked[std::size_t(pair.first)] = isMarked[std::size_t(pair.second)] = 1;
+		isMarked[pair.first] = isMarked[pair.second] = 1;
 	std::vector<int> faces;
 	for (int f = 0; f <= last; ++f) {
-		if (isMarked[std::size_t(f)]) faces.push_back(f);
+		if (isMarked[f]) faces.push_back(f);
 	}
 	return faces;
 }

@@ -23,9 +23,7 @@ int HalfEdgeMesh::findEdge(int a, int b) const
 
 bool HalfEdgeMesh::areNeighbours(int a, int b) const
 {
-	bool found = false;
-	forEachNeighbour(*this, a, [&](int w) { found = found || w == b; });
-	return found;
+	return anyNeighbour(*this, a, [&](int w) { return w == b; });
 }
 
 int HalfEdgeMesh::valence(int v) const

@@ -195,6 +195,24 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 	}
 }
 
+/// Whether a test holds for any half-edge from v.
+template <class Test>
+bool anyOutgoing(const HalfEdgeMesh& m, int v, const Test& test)
+{
+	bool isAny = false;
+	forEachOutgoing(m, v, [&](int h) { isAny = isAny || test(h); });
+	return isAny;
+}
+
+/// Whether a test holds for any neighbour of v.
+template <class Test>
+bool anyNeighbour(const HalfEdgeMesh& m, int v, const Test& test)
+{
+	bool isAny = false;
+	forEachNeighbour(m, v, [&](int w) { isAny = isAny || test(w); });
+	return isAny;
+}
+
 /// The faces at the vertices, ascending.
 std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
 /// The corners of the faces, ascending.

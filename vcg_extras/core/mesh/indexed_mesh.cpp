@@ -4,7 +4,6 @@
 
 #include "half_edge_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gpr {

@@ -53,12 +53,12 @@ struct IndexedMesh {
 };
 
 /// A copy of the first `num` values, by all threads: the first write to memory costs more than the
-/// copy.
+/// copy. If there are fewer values, the rest of the copy is unknown.
 template <class T>
 Buffer<T> copyOf(const Buffer<T>& from, std::size_t num, Workers& workers)
 {
 	Buffer<T> to(num);
-	workers.forRange(num, [&](std::size_t begin, std::size_t end) {
+	workers.forRange(std::min(num, from.size()), [&](std::size_t begin, std::size_t end) {
 		std::memcpy(static_cast<void*>(to.data() + begin), from.data() + begin,
 					(end - begin) * sizeof(T));
 	});
@@ -75,12 +75,7 @@ Buffer<T> copyOf(const Buffer<T>& from, Workers& workers)
 template <class T>
 void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
 {
-	if (values.size() >= n) return;
-	Buffer<T> longer(n);
-	workers.forRange(values.size(), [&](std::size_t begin, std::size_t end) {
-		std::copy(values.data() + begin, values.data() + end, longer.data() + begin);
-	});
-	values.swap(longer);
+	if (values.size() < n) values = copyOf(values, n, workers);
 }
 
 IndexedMesh copyOf(const IndexedMesh& from, Workers& workers);

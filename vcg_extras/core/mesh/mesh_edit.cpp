@@ -187,6 +187,34 @@ bool linkAllowsCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 	return canLoseFace(m, c) && canLoseFace(m, d);
 }
 
+/// Whether a part of the border on the mirror plane keeps an edge without the star's vertex.
+bool mirrorAllowsRemoval(const HalfEdgeMesh& m, const VertexStar& star)
+{
+	if (star.isClosed || !m.isOnMirror(star.vertex)) return true;
+	const int  next = star.ring.front(), last = star.ring.back();
+	const bool isNext = m.isOnMirror(next), isLast = m.isOnMirror(last);
+	if (isNext == isLast) return true;
+	return m.isOnMirror(isNext ? borderNeighbour(m, next, true) : borderNeighbour(m, last, false));
+}
+
+/// Numbers the living items of 0 .. n-1 in order; other items get -1. Returns the number of living
+/// items.
+template <class IsAlive>
+int numberLiving(int n, const IsAlive& isAlive, Workers& workers, Buffer<int>& number)
+{
+	number.reset(n);
+	workers.forEach(n, [&](int i) { number[i] = isAlive(i); });
+	const int livingNum = workers.sumUp(number.data(), n);
+	workers.forEach(n, [&](int i) { number[i] = isAlive(i) ? number[i] - 1 : -1; });
+	return livingNum;
+}
+
+bool hasRoom(const HalfEdgeMesh& m)
+{
+	return m.position.size() > std::size_t(m.vertexNum) ||
+		   m.origin.size() > std::size_t(m.halfEdgeNum());
+}
+
 } // namespace
 
 bool canCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
@@ -336,20 +364,6 @@ void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star)
 	forEachOutgoing(m, v, [&](int h) { star.spoke.push_back(h); });
 }
 
-namespace {
-
-/// Whether a part of the border on the mirror plane keeps an edge without the star's vertex.
-bool mirrorAllowsRemoval(const HalfEdgeMesh& m, const VertexStar& star)
-{
-	if (star.isClosed || !m.isOnMirror(star.vertex)) return true;
-	const int  next = star.ring.front(), last = star.ring.back();
-	const bool isNext = m.isOnMirror(next), isLast = m.isOnMirror(last);
-	if (isNext == isLast) return true;
-	return m.isOnMirror(isNext ? borderNeighbour(m, next, true) : borderNeighbour(m, last, false));
-}
-
-} // namespace
-
 bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 					 EditScratch& scratch)
 {
@@ -439,28 +453,6 @@ void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
 		if (m.hasCreases()) m.crease.resize(3 * std::size_t(faceRoom));
 	}
 }
-
-namespace {
-
-/// Numbers the living items of 0 .. n-1 in order; other items get -1. Returns the number of living
-/// items.
-template <class IsAlive>
-int numberLiving(int n, const IsAlive& isAlive, Workers& workers, Buffer<int>& number)
-{
-	number.reset(n);
-	workers.forEach(n, [&](int i) { number[i] = isAlive(i); });
-	const int livingNum = workers.sumUp(number.data(), n);
-	workers.forEach(n, [&](int i) { number[i] = isAlive(i) ? number[i] - 1 : -1; });
-	return livingNum;
-}
-
-bool hasRoom(const HalfEdgeMesh& m)
-{
-	return m.position.size() > std::size_t(m.vertexNum) ||
-		   m.origin.size() > std::size_t(m.halfEdgeNum());
-}
-
-} // namespace
 
 void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 {

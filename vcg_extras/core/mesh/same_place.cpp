@@ -50,8 +50,8 @@ std::size_t SamePlaceTable::slotOf(std::int64_t x, std::int64_t y, std::int64_t 
 int SamePlaceTable::leastNear(const Vec3f& p, std::size_t slot, int otherwise) const
 {
 	int best = otherwise;
-	for (int i = first_[slot]; i >= 0; i = entry_[std::size_t(i)].next) {
-		const Entry& e = entry_[std::size_t(i)];
+	for (int i = first_[slot]; i >= 0; i = entry_[i].next) {
+		const Entry& e = entry_[i];
 		if (squaredLength(e.point - p) <= samePlace * samePlace) best = std::min(best, e.number);
 	}
 	return best;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
-#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -15,6 +14,7 @@
 #include <initializer_list>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace gpr {
 
@@ -37,9 +37,7 @@ struct CountChange {
 
 	bool operator<(const CountChange& o) const
 	{
-		if (energy != o.energy) return energy < o.energy;
-		if (rank != o.rank) return rank < o.rank;
-		return halfEdge < o.halfEdge;
+		return std::tie(energy, rank, halfEdge) < std::tie(o.energy, o.rank, o.halfEdge);
 	}
 };
 
@@ -496,9 +494,7 @@ private:
 
 	bool ringIsUnused(int v) const
 	{
-		bool unused = !isUsed(v);
-		forEachNeighbour(m_, v, [&](int w) { unused = unused && !isUsed(w); });
-		return unused;
+		return !isUsed(v) && !anyNeighbour(m_, v, [&](int w) { return isUsed(w); });
 	}
 
 	void markRing(int v)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_repair.h"
 
-#include "exact_count.h"
 #include "face_goals.h"
 
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -10,7 +9,6 @@
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 
@@ -301,7 +299,7 @@ void turnTetrahedra(const Surface& surface, ResultMesh& r, Workers& workers)
 	for (int f : first) {
 		const int a = m.origin[3 * f], b = m.origin[3 * f + 1];
 		std::swap(m.position[a], m.position[b]);
-		std::swap(r.vertex[std::size_t(a)], r.vertex[std::size_t(b)]);
+		std::swap(r.vertex[a], r.vertex[b]);
 	}
 }
 

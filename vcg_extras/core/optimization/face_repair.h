@@ -11,7 +11,6 @@
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
-#include <cstdint>
 #include <memory>
 
 namespace gpr {

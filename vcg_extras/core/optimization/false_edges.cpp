@@ -19,7 +19,7 @@ ResultVertex middleOf(const Surface& surface, const ResultMesh& result, int h)
 	const int    a = result.mesh.origin[h], b = result.mesh.target(h);
 	ResultVertex middle;
 	if (findMiddle(surface, result, a, b, middle)) return middle;
-	const ResultVertex& end = result.vertex[std::size_t(a)];
+	const ResultVertex& end = result.vertex[a];
 	middle                  = ResultVertex();
 	middle.normal           = end.normal;
 	middle.point = {(result.mesh.position[a] + result.mesh.position[b]) * 0.5f, end.point.face};

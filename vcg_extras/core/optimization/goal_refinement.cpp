@@ -4,14 +4,13 @@
 
 #include "local_refinement.h"
 
-#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/edit/patch_distance.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace gpr {
@@ -50,13 +49,6 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
 }
 
-Triangles trianglesOf(const HalfEdgeMesh& m)
-{
-	std::vector<int> all(std::size_t(m.faceNum));
-	std::iota(all.begin(), all.end(), 0);
-	return trianglesOf(m, all);
-}
-
 /// Whether too many points are left for any later refinement.
 bool isHopeless(std::size_t leftNum, const ResultMesh& result)
 {
@@ -76,7 +68,8 @@ public:
 	const std::vector<FarPoint>& next(const ResultMesh& result)
 	{
 		const MeasuredSurface          made(viewOf(result.mesh), input_, workers_);
-		const std::vector<Box<double>> regions = regionsToSearch(trianglesOf(result.mesh));
+		const std::vector<int>         faces   = numbersBelow(std::size_t(result.mesh.faceNum));
+		const std::vector<Box<double>> regions = regionsToSearch(trianglesOf(result.mesh, faces));
 		points_.clear();
 		append(placesBeyond(input_, made, limit_, workers_, regions), true, points_);
 		append(placesBeyond(made, input_, limit_, workers_, regions), false, points_);

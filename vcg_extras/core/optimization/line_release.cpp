@@ -49,13 +49,10 @@ constexpr float thickestWall = 0.25f;
 /// Whether a feature line at a vertex has a side that faces away from a sheet.
 bool facesAway(const HalfEdgeMesh& m, const Vec3f& sheet, int v)
 {
-	bool isAway = false;
-	forEachOutgoing(m, v, [&](int g) {
-		if (!m.isCreaseEdge(g)) return;
-		for (const int side : {g, m.opposite[g]})
-			isAway = isAway || dot(sheet, m.faceNormal(side / 3)) < mostOfWall;
+	const auto isFaceAway = [&](int h) { return dot(sheet, m.faceNormal(h / 3)) < mostOfWall; };
+	return anyOutgoing(m, v, [&](int h) {
+		return m.isCreaseEdge(h) && (isFaceAway(h) || isFaceAway(m.opposite[h]));
 	});
-	return isAway;
 }
 
 /// Whether only two close lines hold two sheets apart: the rim of a plate, a blunt trailing edge. h
@@ -71,10 +68,7 @@ bool holdsWall(const ResultMesh& result, int h)
         const float gap = length(cross(along, m.position[v] - from));
         return gap < thickestWall * result.idealEdge && facesAway(m, sheet, v);
 	};
-	bool holds = isOver(apex);
-	if (!holds && !m.isCurveVertex(apex))
-		forEachNeighbour(m, apex, [&](int v) { holds = holds || isOver(v); });
-	return holds;
+	return isOver(apex) || (!m.isCurveVertex(apex) && anyNeighbour(m, apex, isOver));
 }
 
 /// Removes the marks of line edges at these vertices. Returns the ends of the edges.

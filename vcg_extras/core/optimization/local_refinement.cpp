@@ -3,7 +3,6 @@
 #include "local_refinement.h"
 
 #include "face_goals.h"
-#include "worst_distances.h"
 
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/constraint.h>
@@ -12,11 +11,9 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
-#include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
 
 namespace gpr {
@@ -81,9 +78,9 @@ std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>&
 	const NearestOnMesh tree(m, workers);
 	std::vector<Split>  splits(points.size());
 	workers.forEach(points.size(), [&](int i) {
-		const FarPoint& point  = points[std::size_t(i)];
-		const int       h      = edgeToSplit(m, tree.nearest(point.position));
-		splits[std::size_t(i)] = {std::minmax(int(m.origin[h]), m.target(h)), point};
+		const FarPoint& point = points[i];
+		const int       h     = edgeToSplit(m, tree.nearest(point.position));
+		splits[i]             = {std::minmax(int(m.origin[h]), m.target(h)), point};
 	});
 	std::stable_sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
 		if (a.edge != b.edge) return a.edge < b.edge;

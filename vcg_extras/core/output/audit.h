@@ -5,7 +5,6 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 

@@ -5,7 +5,6 @@
 #include "vertex_removal.h"
 
 #include <vcg_extras/core/base/portable_math.h>
-#include <vcg_extras/core/surface/result_mesh.h>
 
 #include <algorithm>
 
@@ -193,7 +192,7 @@ ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 	Removal removal(fused, partition, workers);
 	removal.runInBlocks();
 	std::vector<int> rest = removal.runRest();
-	collapseRest(fused.mesh, rest, workers);
+	collapseRest(fused.mesh, {}, rest, workers);
 	Retriangulated removed{
 		std::move(fused.mesh), std::move(fused.sampleVertex), {}, std::move(rest)};
 	return resultOfSamples(std::move(removed), surface, sampling, boundary, workers);

@@ -15,19 +15,6 @@ constexpr double onCircleTolerance = 1e-9;
 /// Most flips over the square of the number of edges; rounding could flip a diagonal for ever.
 constexpr int maxFlipsFactor = 4;
 
-Vec2d minus(const Vec2d& a, const Vec2d& b)
-{
-	return {a.x - b.x, a.y - b.y};
-}
-double cross(const Vec2d& a, const Vec2d& b)
-{
-	return a.x * b.y - a.y * b.x;
-}
-double dot(const Vec2d& a, const Vec2d& b)
-{
-	return a.x * b.x + a.y * b.y;
-}
-
 /// Links edge y of the patch to `beyond`, the edge on its other side.
 void hand(HolePatch& patch, int beyond, int y)
 {
@@ -74,7 +61,7 @@ void PolygonDelaunay::begin(const std::vector<Vec2d>& polygon)
 	corner_.resize(n);
 	for (int i = 0; i < n; ++i) {
 		const int   after = i + 1 < n ? i + 1 : 0;
-		const Vec2d edge  = minus(p_[after], p_[i]);
+		const Vec2d edge  = p_[after] - p_[i];
 		longest           = std::max(longest, dot(edge, edge));
 		corner_[i]        = {i > 0 ? i - 1 : n - 1, after, -1 - i, false};
 	}
@@ -86,7 +73,7 @@ void PolygonDelaunay::begin(const std::vector<Vec2d>& polygon)
 /// Twice the signed area of three corners.
 double PolygonDelaunay::turn(int i, int j, int k) const
 {
-	return cross(minus(p_[j], p_[i]), minus(p_[k], p_[i]));
+	return cross(p_[j] - p_[i], p_[k] - p_[i]);
 }
 
 void PolygonDelaunay::classify(int i)
@@ -164,7 +151,7 @@ bool PolygonDelaunay::isDelaunay(const HolePatch& patch, int x) const
 	const int    y = patch.across[x];
 	const Vec2d  a = p_[patch.corner[x]], b = p_[patch.corner[nextInFace(x)]];
 	const Vec2d  c = p_[patch.corner[prevInFace(x)]], d = p_[patch.corner[prevInFace(y)]];
-	const Vec2d  ca = minus(a, c), cb = minus(b, c), da = minus(a, d), db = minus(b, d);
+	const Vec2d  ca = a - c, cb = b - c, da = a - d, db = b - d;
 	const double sin1 = cross(ca, cb), cos1 = dot(ca, cb);
 	const double sin2 = cross(db, da), cos2 = dot(db, da);
 	const double scale = dot(ca, ca) * dot(db, db) + dot(cb, cb) * dot(da, da);

@@ -10,11 +10,6 @@
 
 namespace gpr {
 
-/// Point of the plane.
-struct Vec2d {
-	double x = 0, y = 0;
-};
-
 /// Constrained Delaunay triangulation of a small polygon. The edges of the polygon are the
 /// constraints; no point is added. Keeps its working memory between calls.
 ///

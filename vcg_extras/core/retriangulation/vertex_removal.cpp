@@ -209,9 +209,7 @@ private:
 
 bool reachesRing(const GridCell& cell, const HalfEdgeMesh& m, int v)
 {
-	bool all = true;
-	forEachNeighbour(m, v, [&](int w) { all = all && cell.reaches(m.position[w]); });
-	return all;
+	return !anyNeighbour(m, v, [&](int w) { return !cell.reaches(m.position[w]); });
 }
 
 /// Runs a pass, grid cell by grid cell, over the vertices still to be removed with all neighbours
@@ -228,24 +226,6 @@ void runPass(const HalfEdgeMesh& m, const ColouredGrid& cells, const PassRules& 
 					isThere[k] = 0;
 			}
 		});
-	}
-}
-
-/// Removes the remaining vertices serially, without a bound on edges. Without labels, passes with
-/// sameLabelOnly are skipped.
-void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
-				Workers& workers)
-{
-	Remover remover(m, label, HUGE_VALF);
-	for (const PassRules& rules : passRules) {
-		if (rest.empty()) return;
-		if (rules.sameLabelOnly && label.empty()) continue;
-		std::size_t left = 0;
-		for (int v : rest) {
-			workers.poll();
-			if (!remover.remove(v, rules)) rest[left++] = v;
-		}
-		rest.resize(left);
 	}
 }
 
@@ -268,14 +248,24 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 		if (isThere[k]) cells.todo.push_back(work.vertices[k]);
 	}
 	std::sort(cells.todo.begin(), cells.todo.end());
-	removeRest(m, cells.label, cells.todo, workers);
+	collapseRest(m, cells.label, cells.todo, workers);
 	return resultOfSamples(std::move(cells), surface, sampling, boundary, workers);
 }
 
-void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)
+void collapseRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
+				  Workers& workers)
 {
-	const std::vector<int> noLabels;
-	removeRest(m, noLabels, rest, workers);
+	Remover remover(m, label, HUGE_VALF);
+	for (const PassRules& rules : passRules) {
+		if (rest.empty()) return;
+		if (rules.sameLabelOnly && label.empty()) continue;
+		std::size_t left = 0;
+		for (int v : rest) {
+			workers.poll();
+			if (!remover.remove(v, rules)) rest[left++] = v;
+		}
+		rest.resize(left);
+	}
 }
 
 } // namespace gpr

@@ -29,8 +29,10 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 
 /// Collapses the vertices that a removal left in `rest`: merges each vertex into the neighbour that
 /// gives the best worst triangle, under ever looser geometry. Vertices that the topology needs
-/// remain in `rest`. Cost: a few vertices, serial.
-void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers);
+/// remain in `rest`. label: per vertex, its Voronoi cell; empty: vertices are not first merged
+/// within their cells. Cost: a few vertices, serial.
+void collapseRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
+				  Workers& workers);
 
 } // namespace gpr
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace gpr {
 

@@ -112,18 +112,11 @@ Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.opt
 
 WorkShare Plan::share() const
 {
-	switch (decisions_.purpose) {
-	case Purpose::Forecast:
-		return {0, 0};
-	case Purpose::Trial: {
-		const double length = 1.0 / search_->goal().maxTrials, from = trialNum_ * length;
-		return {from, from + length};
-	}
-	case Purpose::CountToBeHad:
-		return {1, 1};
-	default:
-		return {0, 1};
-	}
+	if (decisions_.purpose == Purpose::Forecast) return {0, 0};
+	if (decisions_.purpose == Purpose::CountToBeHad) return {1, 1};
+	if (decisions_.purpose != Purpose::Trial) return {0, 1};
+	const double length = 1.0 / search_->goal().maxTrials, from = trialNum_ * length;
+	return {from, from + length};
 }
 
 // ---- The order of the steps.
@@ -228,20 +221,20 @@ void Plan::resolveCount(const InputFacts& facts)
 /// The next possible count below.
 std::int64_t Plan::possible(std::int64_t num) const
 {
-	return std::max(attempts_.countStep, num - num % attempts_.countStep);
+	return std::max(attempts_.sizes.countStep, num - num % attempts_.sizes.countStep);
 }
 
 /// F = 2 V - 2 χ - B, with B vertices on the border.
 std::int64_t Plan::verticesOf(double faceNum, double onBorder) const
 {
-	const double num = std::round(0.5 * (faceNum + onBorder) + double(attempts_.euler));
+	const double num = std::round(0.5 * (faceNum + onBorder) + double(attempts_.sizes.euler));
 	return std::int64_t(std::clamp(num, 1.0, maxResultVertices));
 }
 
 /// The number of border edges that are as long as the edges of vertexNum vertices on the area.
 double Plan::borderEdgeNum(std::int64_t vertexNum) const
 {
-	return attempts_.borderLength / double(evenEdge(attempts_.area, vertexNum));
+	return attempts_.sizes.borderLength / double(evenEdge(attempts_.area, vertexNum));
 }
 
 void Plan::forecastVertices()
@@ -292,12 +285,9 @@ std::string Plan::judge(const SurfaceFacts& facts)
 
 std::string Plan::judge(const SizeFacts& facts)
 {
-	const bool isFirst     = attempts_.keptNum < 0;
-	attempts_.keptNum      = facts.keptNum;
-	attempts_.followLines  = facts.followLines;
-	attempts_.countStep    = facts.countStep;
-	attempts_.euler        = facts.euler;
-	attempts_.borderLength = facts.borderLength;
+	const bool isFirst      = !attempts_.areSizesKnown;
+	attempts_.sizes         = facts;
+	attempts_.areSizesKnown = true;
 	goOn();
 	if (!isFirst) return "";
 	const std::int64_t before = decisions_.vertexNum;
@@ -323,15 +313,17 @@ std::string Plan::makeRoom()
 	const std::string fact = std::string(isBorder   ? "The border has "
 										 : isRegion ? "The feature region has "
 													: "The junctions have ") +
-							 text(attempts_.keptNum) + " vertices to be kept, ";
+							 text(attempts_.sizes.keptNum) + " vertices to be kept, ";
 	if (!mayRaise || !mayReturn()) {
-		const std::int64_t faceNum = 2 * (attempts_.keptNum - attempts_.euler);
+		const std::int64_t faceNum = 2 * (attempts_.sizes.keptNum - attempts_.sizes.euler);
 		refuse(fact + "more than " + asked() + " allow; ask for more" +
 				   (isRegion ? ", or give a feature disk scale" : "") + ".",
-			   attempts_.keptNum, decisions_.faceNum > 0 ? std::max<std::int64_t>(1, faceNum) : 0);
+			   attempts_.sizes.keptNum,
+			   decisions_.faceNum > 0 ? std::max<std::int64_t>(1, faceNum) : 0);
 	}
-	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
-	const std::string  note   = fact + "so the wanted number was raised from " +
+	const std::int64_t raised =
+		attempts_.sizes.keptNum + attempts_.sizes.keptNum / 2 + attempts_.asked;
+	const std::string note = fact + "so the wanted number was raised from " +
 							 text(attempts_.asked) + " to " + text(raised) + " vertices.";
 	attempts_.isCountChosen = true;
 	decisions_.vertexNum = attempts_.asked = raised;
@@ -357,7 +349,7 @@ std::string Plan::judge(const LineFacts& facts)
 {
 	const bool areTooMany = decisions_.lineLimit == 0 ? facts.share > maxOnCurves : facts.share > 1;
 	decisions_.lineLimit += areTooMany;
-	return returnIf(areTooMany, attempts_.followLines ? Step::Input : Step::Lines);
+	return returnIf(areTooMany, attempts_.sizes.followLines ? Step::Input : Step::Lines);
 }
 
 /// Gaps between feature lines and the front cost samples, the more the closer the lines are; the
@@ -372,14 +364,14 @@ float Plan::correctedRadius(const SampleFacts& facts) const
 	const float     fewest = facts.mayMiss ? 0.98f : 0.85f;
 	constexpr float most = 1.035f, fewestByNoise = 0.4f;
 	constexpr float maxFixed = 0.7f;
-	const float     kept     = float(attempts_.keptNum);
+	const float     kept     = float(attempts_.sizes.keptNum);
 	const float     target   = float(decisions_.spacedFor());
 	const float     wanted   = aim * target - kept;
 	const float     share    = (float(facts.num) - kept) / wanted;
 	if (!(wanted > 0) || (share >= fewest && share <= most)) return facts.radius;
 	if (!facts.mayMiss && !(share >= fewestByNoise && share < 1)) return facts.radius;
 	if (float(facts.onCurveNum) - kept > maxFixed * (target - kept)) return facts.radius;
-	if (attempts_.keptNum == 0) return facts.radius * std::sqrt(share);
+	if (attempts_.sizes.keptNum == 0) return facts.radius * std::sqrt(share);
 	// Edges are split for this radius; much smaller disks would hold no vertices.
 	constexpr float minRadius = 0.8f, minShare = 0.25f, maxShare = 4;
 	return std::max(minRadius * facts.usual,
@@ -388,8 +380,8 @@ float Plan::correctedRadius(const SampleFacts& facts) const
 
 std::string Plan::judge(const SampleFacts& facts)
 {
-	const int   most        = attempts_.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
-	const float corrected   = correctedRadius(facts);
+	const int   most      = attempts_.sizes.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
+	const float corrected = correctedRadius(facts);
 	const bool  isCorrected = (facts.mayMiss || !isPaper(request_.options)) &&
 							 attempts_.correctionNum < most && corrected != facts.radius;
 	attempts_.correctionNum += isCorrected;
@@ -405,7 +397,7 @@ std::string Plan::tryAgain(std::string note)
 	attempts_.isCountChosen = true;
 	attempts_.correctionNum = 0;
 	decisions_.radius.reset();
-	const bool dropsLines = attempts_.followLines && decisions_.way != Way::WithFeatureLines;
+	const bool dropsLines = attempts_.sizes.followLines && decisions_.way != Way::WithFeatureLines;
 	const bool fits       = decisions_.spacedFor() == attempts_.preparedFor && !dropsLines;
 	return returnTo(fits ? Step::Lines : Step::Input, std::move(note));
 }
@@ -414,7 +406,7 @@ std::string Plan::tryAgain(std::string note)
 std::string Plan::accept(const RelaxationFacts& facts, std::string note)
 {
 	const bool byFaces = decisions_.faceNum > 0,
-			   byPairs = !asksForFaces() && attempts_.countStep > 1;
+			   byPairs = !asksForFaces() && attempts_.sizes.countStep > 1;
 	const bool isOther = byFaces ? facts.faceNum != wantedFaces_ && !attempts_.isRaised
 								 : byPairs && facts.vertexNum + 1 == attempts_.asked;
 	if (isOther && !isWish()) refuseParity(byFaces ? facts.faceNum : facts.vertexNum);
@@ -505,15 +497,9 @@ std::string Plan::nearestWithKept(const RelaxationFacts& reached)
 	}
 	if (decisions_.faceNum > 0 && std::abs(off) == 1) refuseParity(reached.faceNum);
 	refuse("The surface cannot be meshed with " + asked() + " that include the " +
-			   text(attempts_.keptNum) + " vertices to be kept; a possible number is " + counts +
-			   ".",
+			   text(attempts_.sizes.keptNum) + " vertices to be kept; a possible number is " +
+			   counts + ".",
 		   reached.vertexNum, reached.faceNum);
-}
-
-std::string Plan::byTopology()
-{
-	decisions_.way = Way::ByTopology;
-	return tryAgain("");
 }
 
 /// With the smallest count, no vertex is left for the shape of borders between many holes. A few
@@ -629,11 +615,12 @@ std::string Plan::judge(const RelaxationFacts& facts)
 		if (facts.hasSmoothBorder && facts.hasZeroAreas) return withRaggedBorder();
 		if (facts.isSewn && facts.hasZeroAreas) return withOpenSeams();
 	}
-	if (attempts_.keptNum > 0) return misses ? nearestWithKept(facts) : accept(facts, "");
+	if (attempts_.sizes.keptNum > 0) return misses ? nearestWithKept(facts) : accept(facts, "");
 	if (!misses) return judgeAreas(facts);
 	if (decisions_.way != Way::ByTopology && mayReturn()) {
 		attempts_.reachedNum = facts.vertexNum;
-		return byTopology();
+		decisions_.way       = Way::ByTopology;
+		return tryAgain("");
 	}
 	return judgeSmallest(facts);
 }

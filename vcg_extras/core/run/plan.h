@@ -148,10 +148,7 @@ struct ErrorFacts {
 	double error = 0; ///< proven bound of the largest distance, mesh units
 	double share = 0; ///< of the area of the input, farther from the result than the error bound
 };
-struct ExportFacts {
-	std::int64_t vertexNum = 0;
-	std::int64_t faceNum   = 0;
-};
+struct ExportFacts : CountFacts {};
 
 /// The task of a run.
 struct Request {
@@ -266,12 +263,9 @@ private:
 	/// The attempts at one count.
 	struct Attempts {
 		bool         isCountChosen = false; ///< by the plan, not by the options and the area
-		std::int64_t keptNum       = -1;    ///< vertices of the input that must stay; -1: not known
 		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
-		bool         followLines   = false; ///< see SizeFacts
-		std::int64_t euler         = 0;     ///< see SizeFacts
-		double       borderLength  = 0;     ///< see SizeFacts
-		std::int64_t countStep     = 1;     ///< see SizeFacts
+		SizeFacts    sizes;                 ///< of the surface at hand
+		bool         areSizesKnown = false;
 		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
 		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
 		std::int64_t reachedNum    = 0;     ///< vertices reached from the right spacing
@@ -283,7 +277,7 @@ private:
 		std::int64_t separatedFrom = 0; ///< count at which sheets would intersect; 0: not so
 
 		/// From a possible count to a larger one, for a refusal.
-		std::int64_t nextStep() const { return countStep > 2 ? countStep : 2; }
+		std::int64_t nextStep() const { return sizes.countStep > 2 ? sizes.countStep : 2; }
 	};
 	Attempts attempts_;
 
@@ -326,7 +320,6 @@ private:
 	std::string       withRaggedBorder();
 	std::string       withOpenSeams();
 	std::string       nearestWithKept(const RelaxationFacts& reached);
-	std::string       byTopology();
 	std::string       raiseTo(const RelaxationFacts& smallest);
 	std::string       judgeAreas(const RelaxationFacts& facts);
 	std::string       judgeSmallest(const RelaxationFacts& facts);

@@ -5,7 +5,6 @@
 
 #include "plan.h"
 
-#include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/mesh/connect.h>

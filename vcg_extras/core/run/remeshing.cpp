@@ -2,26 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remeshing.h"
 
-#include "plan.h"
-#include "products.h"
 #include "result_stages.h"
 #include "sample_stages.h"
 #include "surface_stages.h"
 
-#include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/feature_export.h>
-#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/output/export.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
 
 #include <algorithm>
 #include <cmath>
-#include <new>
-#include <optional>
 #include <random>
-#include <string>
-#include <utility>
 
 namespace gpr {
 
@@ -56,6 +48,31 @@ void tellSampleNum(RunContext& run, std::int64_t wanted, std::size_t num)
 	if (wanted == 0 || std::abs(double(num) / double(wanted) - 1) <= 0.1) return;
 	run.tell("The sampling has " + std::to_string(num) + " points instead of " +
 			 std::to_string(wanted) + ".");
+}
+
+/// The error bound of the options, and the vertex counts allowed in trials.
+ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
+{
+	ErrorGoal goal;
+	goal.largest = largestError(options, extent.diagonal);
+	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
+	const double edge = edgePerError * goal.largest;
+	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
+	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
+	return goal;
+}
+
+Request requestOf(const Call& call)
+{
+	Request          request{call.options, std::int64_t(call.input.vertexNum)};
+	const TargetMode mode = call.options.targetMode;
+	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
+		const MeshExtent extent = extentOf(call.input);
+		request.purpose         = Purpose::Forecast;
+		request.goal            = errorGoalOf(call.input, call.options, extent);
+		request.diagonal        = extent.diagonal;
+	}
+	return request;
 }
 
 } // namespace
@@ -191,35 +208,6 @@ void Remeshing::exportSamples()
 	samples->diskRadius = radius;
 	tellSampleNum(setup_.run, plan_.decisions().vertexNum, samples->points.size());
 }
-
-namespace {
-
-/// The error bound of the options, and the vertex counts allowed in trials.
-ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
-{
-	ErrorGoal goal;
-	goal.largest = largestError(options, extent.diagonal);
-	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
-	const double edge = edgePerError * goal.largest;
-	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
-	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
-	return goal;
-}
-
-Request requestOf(const Call& call)
-{
-	Request          request{call.options, std::int64_t(call.input.vertexNum)};
-	const TargetMode mode = call.options.targetMode;
-	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
-		const MeshExtent extent = extentOf(call.input);
-		request.purpose         = Purpose::Forecast;
-		request.goal            = errorGoalOf(call.input, call.options, extent);
-		request.diagonal        = extent.diagonal;
-	}
-	return request;
-}
-
-} // namespace
 
 std::int64_t forecastVertexNum(const Call& call)
 {

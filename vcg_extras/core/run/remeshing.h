@@ -59,10 +59,10 @@ struct PlainRun {
 };
 
 /// Hands over report and notes of a run at the end of a scope, with or without a result.
-template <class Run, class Result>
+template <class Run>
 struct TellAtEnd {
-	Run&    run;
-	Result& out;
+	Run&     run;
+	Outcome& out;
 
 	/// Without memory for the report nothing is told, so that the first failure reaches the caller.
 	~TellAtEnd()
@@ -77,8 +77,8 @@ struct TellAtEnd {
 		}
 	}
 };
-template <class Run, class Result>
-TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
+template <class Run>
+TellAtEnd(Run&, Outcome&) -> TellAtEnd<Run>;
 
 /// One run through the steps of a plan, with the products of the steps.
 class Remeshing {

@@ -4,8 +4,6 @@
 
 #include <vcg_extras/core/sampling/target.h>
 
-#include <utility>
-
 namespace gpr {
 
 namespace {

@@ -11,7 +11,6 @@
 #include <vcg_extras/core/results.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace gpr {

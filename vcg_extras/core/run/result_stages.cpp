@@ -25,7 +25,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace gpr {
 
@@ -176,6 +175,89 @@ void raiseAngles(RunContext& run, Products& made)
 		run.tellCap("changes for small angles");
 }
 
+// ---- Contacts.
+
+/// Made vertices keep the vertex count, but patches on the border may change the face count, and
+/// patches on a mirror plane the vertex count of the whole. Most rounds that restore the count.
+constexpr int countRounds = 3;
+
+bool missesCount(const Decisions& decisions, const ResultMesh& result,
+				 const ContactOutcome& outcome)
+{
+	if (!outcome.hasMade || outcome.isRefused) return false;
+	if (decisions.faceNum > 0) return result.faceNum() != decisions.faceNum;
+	return result.mesh.mirrorAxis >= 0 && result.vertexNum() != decisions.wholeNum();
+}
+
+// ---- The trials for an error bound.
+
+/// The share of the area of the input that is farther from the result than the bound.
+double shareBeyond(const ComparedSurfaces& both, double bound, double area, Workers& workers)
+{
+	double beyond = 0;
+	for (const FarPlace& p : placesBeyond(both.input, both.result, bound, workers))
+		beyond += p.area;
+	return std::min(1.0, beyond / std::max(area, 1e-300));
+}
+
+// ---- Check and export.
+
+/// Tells about cut junctions that are longer than some edges. Shorter junctions are faults of a
+/// scan.
+void tellCutJunctions(RunContext& run, const Products& made)
+{
+	constexpr double leastEdges = 3;
+	const double     extent     = made.surface.cleaned.longestJunction;
+	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
+		return;
+	run.tell(
+		"Edges with more than two faces were cut, so the sheets there are separate now. The option "
+		"junctions with the value keep meshes these edges once for all sheets, which stay joined.");
+}
+
+/// Two digits, as a forecast has.
+std::int64_t rounded(double number)
+{
+	double unit = 1;
+	while (number >= 100 * unit)
+		unit *= 10;
+	return std::int64_t(unit * std::round(number / unit));
+}
+
+/// Whether many crease edges are on no feature line, so that triangles may round them off.
+bool leavesCreases(const CreaseFindings& found)
+{
+	constexpr double share = 0.1;
+	return double(found.creaseNum - found.edgeNum) > share * double(found.creaseNum);
+}
+
+/// A result with too few vertices for its shape names the number with which it would be regular.
+/// Crease edges that the triangles round off are told, too, however regular the triangles are.
+void tellRegularNum(RunContext& run, Products& made)
+{
+	constexpr double   mostIrregular = 20; // percent of the faces
+	const bool         isIrregular   = made.quality.below30Percent > mostIrregular;
+	const double       leastGrowth   = isIrregular ? 1.2 : 2;
+	const std::int64_t num           = made.result.vertexNum();
+	if (isPaper(run.options) || !(isIrregular || leavesCreases(made.lines.found))) return;
+	const float  angle = float(run.options.featureAngleDeg) * radians;
+	const float  even  = evenEdge(made.surface.area, num);
+	const double ratio = double(
+		even / edgeForRegularity(made.surface.mesh, made.surface.area / made.surface.mesh.sideNum(),
+								 even, angle, run.workers));
+	if (ratio * ratio < leastGrowth) return;
+	made.regularNum    = rounded(ratio * ratio * double(num));
+	std::string effect = "crease edges are rounded off there", gain = "keep these edges";
+	if (isIrregular) {
+		effect = std::to_string(std::lround(made.quality.below30Percent)) +
+				 " % of the faces have an angle below 30 degrees";
+		gain = "make nearly all faces regular";
+	}
+	run.tell("The triangles are wider than much of the surface between crease edges, so " + effect +
+			 ". About " + std::to_string(made.regularNum) + " vertices (" +
+			 std::to_string(2 * made.regularNum) + " faces) are forecast to " + gain + ".");
+}
+
 } // namespace
 
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
@@ -256,22 +338,6 @@ void repairAngles(RunContext& run, Products& made)
 	made.poor = {};
 }
 
-namespace {
-
-/// Made vertices keep the vertex count, but patches on the border may change the face count, and
-/// patches on a mirror plane the vertex count of the whole. Most rounds that restore the count.
-constexpr int countRounds = 3;
-
-bool missesCount(const Decisions& decisions, const ResultMesh& result,
-				 const ContactOutcome& outcome)
-{
-	if (!outcome.hasMade || outcome.isRefused) return false;
-	if (decisions.faceNum > 0) return result.faceNum() != decisions.faceNum;
-	return result.mesh.mirrorAxis >= 0 && result.vertexNum() != decisions.wholeNum();
-}
-
-} // namespace
-
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.hasMadeVertices      = false;
@@ -319,21 +385,6 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 	return {int(made.result.vertexNum() - before), true};
 }
 
-namespace {
-
-// ---- The trials for an error bound.
-
-/// The share of the area of the input that is farther from the result than the bound.
-double shareBeyond(const ComparedSurfaces& both, double bound, double area, Workers& workers)
-{
-	double beyond = 0;
-	for (const FarPlace& p : placesBeyond(both.input, both.result, bound, workers))
-		beyond += p.area;
-	return std::min(1.0, beyond / std::max(area, 1e-300));
-}
-
-} // namespace
-
 ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, Products& made)
 {
 	run.clock.enter(Stage::Error);
@@ -348,23 +399,6 @@ ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, Products& made)
 	return facts;
 }
 
-namespace {
-
-/// Tells about cut junctions that are longer than some edges. Shorter junctions are faults of a
-/// scan.
-void tellCutJunctions(RunContext& run, const Products& made)
-{
-	constexpr double leastEdges = 3;
-	const double     extent     = made.surface.cleaned.longestJunction;
-	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
-		return;
-	run.tell(
-		"Edges with more than two faces were cut, so the sheets there are separate now. The option "
-		"junctions with the value keep meshes these edges once for all sheets, which stay joined.");
-}
-
-} // namespace
-
 void checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
@@ -374,53 +408,6 @@ void checkResult(RunContext& run, const Decisions& decisions, Products& made)
 							std::int64_t(made.sizes.kept.size())};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
 }
-
-namespace {
-
-/// Two digits, as a forecast has.
-std::int64_t rounded(double number)
-{
-	double unit = 1;
-	while (number >= 100 * unit)
-		unit *= 10;
-	return std::int64_t(unit * std::round(number / unit));
-}
-
-/// Whether many crease edges are on no feature line, so that triangles may round them off.
-bool leavesCreases(const CreaseFindings& found)
-{
-	constexpr double share = 0.1;
-	return double(found.creaseNum - found.edgeNum) > share * double(found.creaseNum);
-}
-
-/// A result with too few vertices for its shape names the number with which it would be regular.
-/// Crease edges that the triangles round off are told, too, however regular the triangles are.
-void tellRegularNum(RunContext& run, Products& made)
-{
-	constexpr double   mostIrregular = 20; // percent of the faces
-	const bool         isIrregular   = made.quality.below30Percent > mostIrregular;
-	const double       leastGrowth   = isIrregular ? 1.2 : 2;
-	const std::int64_t num           = made.result.vertexNum();
-	if (isPaper(run.options) || !(isIrregular || leavesCreases(made.lines.found))) return;
-	const float  angle = float(run.options.featureAngleDeg) * radians;
-	const float  even  = evenEdge(made.surface.area, num);
-	const double ratio = double(
-		even / edgeForRegularity(made.surface.mesh, made.surface.area / made.surface.mesh.sideNum(),
-								 even, angle, run.workers));
-	if (ratio * ratio < leastGrowth) return;
-	made.regularNum    = rounded(ratio * ratio * double(num));
-	std::string effect = "crease edges are rounded off there", gain = "keep these edges";
-	if (isIrregular) {
-		effect = std::to_string(std::lround(made.quality.below30Percent)) +
-				 " % of the faces have an angle below 30 degrees";
-		gain = "make nearly all faces regular";
-	}
-	run.tell("The triangles are wider than much of the surface between crease edges, so " + effect +
-			 ". About " + std::to_string(made.regularNum) + " vertices (" +
-			 std::to_string(2 * made.regularNum) + " faces) are forecast to " + gain + ".");
-}
-
-} // namespace
 
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {

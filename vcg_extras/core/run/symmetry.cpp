@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symmetry.h"
 
+#include "result_stages.h"
+
 #include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/input/mirror_half.h>
 #include <vcg_extras/core/mesh/face_contact.h>
@@ -188,21 +190,22 @@ private:
 		JoinedHalves joined =
 			joinHalves(surface_, found_.plane, ofRun_.mesh, ofRun_.region, run_.workers);
 		placeOnSurface(surface_, half_, found_.plane, ofRun_, run_.workers, joined);
-		requireNoContacts(joined.result.mesh);
-		check(joined.result);
-		AuditFigures& audited = made_.verified.audit;
-		made_.quality = exportResult(run_, surface_, joined.result, false, false, audited, out);
-		out.mesh.positions = std::move(joined.positions);
-		tell(joined);
 		made_.result = std::move(joined.result);
+		requireNoContacts();
+		check();
+		AuditFigures& audited = made_.verified.audit;
+		made_.quality      = exportResult(run_, surface_, made_.result, false, false, audited, out);
+		out.mesh.positions = std::move(joined.positions);
+		tell(joined.onPlaneNum);
 	}
 
 	/// Neither half has contacts; the joined halves may have.
-	void requireNoContacts(const HalfEdgeMesh& mesh)
+	void requireNoContacts()
 	{
 		if (!run_.options.guard) return;
-		made_.guarded         = GuardedFigures();
-		made_.guarded.pairNum = std::int64_t(findTouchingPairs(mesh, run_.workers).size());
+		made_.guarded = GuardedFigures();
+		made_.guarded.pairNum =
+			std::int64_t(findTouchingPairs(made_.result.mesh, run_.workers).size());
 		if (made_.guarded.pairNum == 0) return;
 		made_.guarded.inputFaceNum =
 			std::int64_t(findTouchingFaces(surface_.mesh, run_.workers, Seams::Apart).size());
@@ -211,33 +214,31 @@ private:
 					  "The halves would intersect each other; ask for more vertices.");
 	}
 
-	void check(const ResultMesh& result)
+	void check()
 	{
 		if (options().targetMode == TargetMode::MaxError) {
-			run_.clock.enter(Stage::Error);
-			const ComparedSurfaces both(surface_, result, run_.workers);
-			const double           largest = largestError(options(), diagonal());
-			made_.verified.proof = proveDistance(run_, surface_, diagonal(), both, largest);
-			if (made_.verified.proof.bounds.hausdorff().upper > largest)
+			ErrorGoal goal;
+			goal.largest = largestError(options(), diagonal());
+			if (measureError(run_, goal, made_).error > goal.largest)
 				throw Failure(
 					Status::PromiseBroken,
 					"The mirrored half is farther from the input than the largest error.");
 		}
-		const Expected expected{surface_.figures, result.mesh.vertexNum, 0};
-		verifyResult(run_, surface_, result, expected, made_.verified);
+		const Expected expected{surface_.figures, made_.result.mesh.vertexNum, 0};
+		verifyResult(run_, surface_, made_.result, expected, made_.verified);
 	}
 
 	/// The last note of the run of the half is about the half.
-	void tellProof(const JoinedHalves& joined)
+	void tellProof()
 	{
 		ofRun_.notes.pop_back();
-		run_.tell(provenText(joined.result.mesh.vertexNum,
+		run_.tell(provenText(made_.result.mesh.vertexNum,
 							 made_.verified.proof.bounds.hausdorff().upper, diagonal()));
 	}
 
-	void tell(const JoinedHalves& joined)
+	void tell(std::int64_t onPlaneNum)
 	{
-		if (options().targetMode == TargetMode::MaxError) tellProof(joined);
+		if (options().targetMode == TargetMode::MaxError) tellProof();
 		for (const std::string& note : ofRun_.notes)
 			run_.tell(note);
 		const MeshView& in       = call_.input;
@@ -249,7 +250,7 @@ private:
 		}
 		run_.tell("The result is symmetric across " + nameOf(found_.plane) + ": twice " +
 				  std::to_string(ofRun_.mesh.vertexNum()) + " vertices less " +
-				  std::to_string(joined.onPlaneNum) +
+				  std::to_string(onPlaneNum) +
 				  " on the plane. The vertices of the input are at most " +
 				  percentOf(found_.mismatch, diagonal()) + " from the mirror image of the input.");
 	}

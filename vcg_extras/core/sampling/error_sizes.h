@@ -6,7 +6,6 @@
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <cstdint>
 

@@ -8,14 +8,11 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/boundary_curves.h>
-#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace gpr {
 
@@ -145,12 +142,10 @@ void grade(const SizingRequest& request, const Surface& surface, float radius, W
 	const HalfEdgeMesh& m                       = surface.mesh;
 	const float         perUnit                 = gradingSlope(request) / radius;
 	const auto          isTooSmallForANeighbour = [&](std::size_t v) {
-        bool isIt = false;
-        forEachNeighbour(m, int(v), [&](int w) {
+        return anyNeighbour(m, int(v), [&](int w) {
             const float rise = size[w] - size[v];
-            isIt = isIt || (rise > 0 && rise > perUnit * length(m.position[w] - m.position[v]));
+            return rise > 0 && rise > perUnit * length(m.position[w] - m.position[v]);
         });
-        return isIt;
 	};
 	std::vector<int> small = workers.collectIf(size.size(), isTooSmallForANeighbour);
 	gradeSizes(m, perUnit, workers, small, size);

@@ -7,8 +7,6 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/surface/result_mesh.h>
-#include <vcg_extras/core/surface/surface_point.h>
-#include <vcg_extras/core/surface/walk.h>
 
 #include <cstdint>
 #include <vector>

@@ -12,7 +12,6 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace gpr {
 
@@ -136,9 +135,7 @@ public:
 		if (!regions.empty()) markRegions(regions);
 		lookAtGroups();
 		std::vector<FarPlace> places(faces_.size());
-		workers_.forEach(faces_.size(), [&](int i) {
-			places[std::size_t(i)] = placeOf(faces_[std::size_t(i)], limit);
-		});
+		workers_.forEach(faces_.size(), [&](int i) { places[i] = placeOf(faces_[i], limit); });
 		const auto isNear = [limit](const FarPlace& p) { return !(p.distance > limit); };
 		places.erase(std::remove_if(places.begin(), places.end(), isNear), places.end());
 		return places;
@@ -230,7 +227,7 @@ private:
 											  std::max(fewestGroupLevels, from_.levelNum() - 1 - groupLevels));
 		const std::size_t    num   = std::size_t(1) << level;
 		std::vector<Finding> found(num);
-		workers_.forEach(num, [&](int i) { found[std::size_t(i)] = ofGroup(level, i); });
+		workers_.forEach(num, [&](int i) { found[i] = ofGroup(level, i); });
 		for (const Finding& f : found)
 			lower_ = std::max(lower_, f.seen);
 		for (std::size_t i = 0; i < num; ++i) {
@@ -308,7 +305,7 @@ private:
 		const double         goalNow = goal();
 		std::vector<Finding> found(end - begin);
 		workers_.forEach(end - begin, [&](int i) {
-			found[std::size_t(i)] = ofFace(faces_[begin + std::size_t(i)], goalNow);
+			found[i] = ofFace(faces_[begin + std::size_t(i)], goalNow);
 		});
 		for (const Finding& f : found)
 			lower_ = std::max(lower_, f.seen);
@@ -318,7 +315,7 @@ private:
 		const std::size_t before = pieces_.size();
 		pieces_.resize(before + open.size());
 		workers_.forEach(open.size(), [&](int k) {
-			const std::size_t i              = open[std::size_t(k)];
+			const std::size_t i              = open[k];
 			pieces_[before + std::size_t(k)] = wholeFace(faces_[begin + i].triangle, found[i]);
 		});
 		for (std::size_t i = before; i < pieces_.size(); ++i)
@@ -392,7 +389,7 @@ private:
 		std::vector<double> seen(2 * whole.size());
 		workers_.forEach(whole.size(), [&](int i) {
 			const std::size_t at = 2 * std::size_t(i);
-			cut(whole[std::size_t(i)], halves[at], halves[at + 1]);
+			cut(whole[i], halves[at], halves[at + 1]);
 			seen[at]     = bound(halves[at], goalNow);
 			seen[at + 1] = bound(halves[at + 1], goalNow);
 		});

@@ -4,9 +4,6 @@
 
 #include <vcg_extras/core/base/sort_unique.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace gpr {
 
 namespace {

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "junctions.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <utility>
 
 namespace gpr {
 
@@ -34,8 +33,7 @@ void Junctions::findPlaces(const std::vector<Vec3f>& meetings, Workers& workers)
 	});
 	std::stable_sort(vertices.begin(), vertices.end(),
 					 [&](int v, int w) { return isBefore(m_.position[v], m_.position[w]); });
-	first_.resize(std::size_t(m_.vertexNum));
-	std::iota(first_.begin(), first_.end(), 0);
+	first_ = numbersBelow(std::size_t(m_.vertexNum));
 	for (std::size_t i = 0; i < vertices.size();) {
 		const int   v   = vertices[i];
 		std::size_t end = i + 1;
@@ -47,7 +45,7 @@ void Junctions::findPlaces(const std::vector<Vec3f>& meetings, Workers& workers)
 								  vertices.begin() + std::ptrdiff_t(end));
 			place.isMeeting = isMeeting(v);
 			for (int w : place.vertices)
-				first_[std::size_t(w)] = v;
+				first_[w] = v;
 		}
 		i = end;
 	}
@@ -58,7 +56,7 @@ void Junctions::findEdges()
 	for (const auto& [first, place] : places_) {
 		for (int v : place.vertices) {
 			if (!m_.isBorderVertex(v)) continue;
-			const int w = first_[std::size_t(m_.target(m_.outgoing[v]))];
+			const int w = first_[m_.target(m_.outgoing[v])];
 			if (places_.count(w) > 0) ++borderNum_[std::minmax(first, w)];
 		}
 	}
@@ -80,15 +78,14 @@ void Junctions::dropChanceMeetings()
 			continue;
 		}
 		for (int v : place.vertices)
-			first_[std::size_t(v)] = v;
+			first_[v] = v;
 		it = places_.erase(it);
 	}
 }
 
 bool Junctions::isJunctionEdge(int v, int w) const
 {
-	const auto found =
-		borderNum_.find(std::minmax({first_[std::size_t(v)], first_[std::size_t(w)]}));
+	const auto found = borderNum_.find(std::minmax({first_[v], first_[w]}));
 	return found != borderNum_.end() && found->second > 1;
 }
 
@@ -108,7 +105,7 @@ void Junctions::findTouching()
 bool Junctions::isPoint(const Place& place) const
 {
 	if (place.isTouching || place.next.size() != 2) return true;
-	const int first = first_[std::size_t(place.vertices[0])];
+	const int first = first_[place.vertices[0]];
 	return sheetNum(first, place.next[0]) != sheetNum(first, place.next[1]);
 }
 
@@ -176,8 +173,7 @@ bool Junctions::hasTwinFaces(Workers& workers) const
 		workers.collectEach<std::array<int, 3>>(std::size_t(m_.faceNum), [&](int f, auto& out) {
 			const int* v = &m_.origin[3 * f];
 			if (!isOfPlace(v[0]) && !isOfPlace(v[1]) && !isOfPlace(v[2])) return;
-			out.push_back(
-				{first_[std::size_t(v[0])], first_[std::size_t(v[1])], first_[std::size_t(v[2])]});
+			out.push_back({first_[v[0]], first_[v[1]], first_[v[2]]});
 			std::sort(out.back().begin(), out.back().end());
 		});
 	std::sort(faces.begin(), faces.end());
@@ -193,8 +189,7 @@ std::vector<int> Junctions::falseEdges(Workers& workers) const
 	std::map<Ends, bool>   seen;
 	std::vector<int>       found;
 	for (int h : chords) {
-		const Ends ends =
-			std::minmax({first_[std::size_t(m_.origin[h])], first_[std::size_t(m_.target(h))]});
+		const Ends ends   = std::minmax({first_[m_.origin[h]], first_[m_.target(h)]});
 		const bool isSeen = std::exchange(seen[ends], true);
 		if (isSeen || borderNum_.count(ends) > 0) found.push_back(h);
 	}

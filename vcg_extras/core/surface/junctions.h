@@ -68,7 +68,7 @@ private:
 	void findEdges();
 	void dropChanceMeetings();
 	void findTouching();
-	bool isOfPlace(int v) const { return places_.count(first_[std::size_t(v)]) > 0; }
+	bool isOfPlace(int v) const { return places_.count(first_[v]) > 0; }
 	bool isJunctionEdge(int v, int w) const;
 	bool isPoint(const Place& place) const;
 	int  sheetNum(int from, int to) const { return borderNum_.at(std::minmax(from, to)); }

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <queue>
-#include <tuple>
 
 namespace gpr {
 
@@ -16,16 +15,7 @@ Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface
 	// Dijkstra from all samples at once, by edges: cells only need to be sensible, not exact.
 	const HalfEdgeMesh&           m = surface.mesh;
 	Buffer<NearestField::Nearest> nearest(m.vertexNum, {HUGE_VALF, -1});
-	struct Entry {
-		float distance;
-		int   vertex;
-		int   sample;
-		bool  operator<(const Entry& o) const
-		{
-			return std::tie(o.distance, o.vertex, o.sample) < std::tie(distance, vertex, sample);
-		}
-	};
-	std::priority_queue<Entry> front;
+	std::priority_queue<Reach>    front;
 	for (std::size_t s = 0; s < samples.size(); ++s) {
 		const SurfacePoint& a = samples[s].point;
 		for (int k = 0; k < 3; ++k) {
@@ -34,15 +24,15 @@ Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface
 		}
 	}
 	for (std::int64_t popped = 0; !front.empty(); ++popped) {
-		const Entry e = front.top();
+		const Reach e = front.top();
 		front.pop();
 		if (popped % 65536 == 0) workers.poll();
 		if (nearest[e.vertex].sample >= 0) continue;
-		nearest[e.vertex] = {e.distance, e.sample};
+		nearest[e.vertex] = {e.distance, e.label};
 		forEachNeighbour(m, e.vertex, [&](int w) {
 			if (nearest[w].sample >= 0) return;
 			const float d = e.distance + length(m.position[w] - m.position[e.vertex]);
-			front.push({d, w, e.sample});
+			front.push({d, w, e.label});
 		});
 	}
 	return nearest;

@@ -7,9 +7,22 @@
 
 #include <vcg_extras/core/base/workers.h>
 
+#include <tuple>
 #include <vector>
 
 namespace gpr {
+
+/// A vertex reached by a label, such as a sample, for a search of the nearest label of each vertex.
+/// A priority queue has the nearest first.
+struct Reach {
+	float distance;
+	int   vertex, label;
+
+	bool operator<(const Reach& o) const
+	{
+		return std::tie(o.distance, o.vertex, o.label) < std::tie(distance, vertex, label);
+	}
+};
 
 /// Voronoi cells of given samples of any spacing: the nearest sample of each vertex by lengths of
 /// paths over edges. Sample -1 for vertices of components without a sample; a Voronoi dual has

@@ -37,7 +37,7 @@ std::vector<char> usedVertices(const MeshView& mesh)
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (!isUsableFace(mesh, f)) continue;
 		for (const std::int32_t v : mesh.triangle(f))
-			used[std::size_t(v)] = 1;
+			used[v] = 1;
 	}
 	return used;
 }

@@ -7,18 +7,6 @@
 
 namespace gpr {
 
-struct PlanePoint {
-	float x, y;
-};
-inline PlanePoint operator-(PlanePoint a, PlanePoint b)
-{
-	return {a.x - b.x, a.y - b.y};
-}
-inline float cross(PlanePoint a, PlanePoint b)
-{
-	return a.x * b.y - a.y * b.x;
-}
-
 /// A face laid into the plane of a ray. A ray is a unit vector with y > 0. It begins at 0, the
 /// midpoint of an edge on the x axis:
 ///
@@ -28,11 +16,11 @@ inline float cross(PlanePoint a, PlanePoint b)
 ///          a --|--> b
 ///              0
 struct UnfoldedFace {
-	int        halfEdge; ///< a -> b
-	Vec3f      a, b, c;  ///< on the surface
-	PlanePoint a2, b2, c2;
-	Vec3f      cross; ///< of the face: two areas times the unit normal
-	float      doubleArea;
+	int   halfEdge; ///< a -> b
+	Vec3f a, b, c;  ///< on the surface
+	Vec2f a2, b2, c2;
+	Vec3f cross; ///< of the face: two areas times the unit normal
+	float doubleArea;
 
 	/// The face of h, with the midpoint of h at 0 and h along the axis. c is unknown so far.
 	UnfoldedFace(const HalfEdgeMesh& m, int h) :
@@ -54,12 +42,12 @@ struct UnfoldedFace {
 		cross      = gpr::cross(ab, c - a);
 		doubleArea = length(cross);
 
-		const float      u = dot(c - a, ab) / squared, v = doubleArea / squared;
-		const PlanePoint ab2 = b2 - a2;
-		c2                   = {a2.x + u * ab2.x - v * ab2.y, a2.y + u * ab2.y + v * ab2.x};
+		const float u = dot(c - a, ab) / squared, v = doubleArea / squared;
+		const Vec2f ab2 = b2 - a2;
+		c2              = {a2.x + u * ab2.x - v * ab2.y, a2.y + u * ab2.y + v * ab2.x};
 		return true;
 	}
-	bool apexIsLeftOf(PlanePoint ray) const { return ray.x * c2.y > ray.y * c2.x; }
+	bool apexIsLeftOf(Vec2f ray) const { return ray.x * c2.y > ray.y * c2.x; }
 
 	/// The half-edge by which a ray leaves: over b -> c, or else over c -> a.
 	int exit(bool overBC) const { return overBC ? nextInFace(halfEdge) : prevInFace(halfEdge); }
@@ -75,11 +63,11 @@ struct UnfoldedFace {
 
 /// Place along the ray of its crossing with the edge p -> q, from right to left. At least `from`,
 /// in spite of rounding.
-inline float crossingOf(PlanePoint ray, PlanePoint p, PlanePoint q, float from)
+inline float crossingOf(Vec2f ray, Vec2f p, Vec2f q, float from)
 {
-	const PlanePoint pq    = q - p;
-	const float      slope = cross(ray, pq);
-	const float      at    = slope > 0 ? cross(p, pq) / slope : from;
+	const Vec2f pq    = q - p;
+	const float slope = cross(ray, pq);
+	const float at    = slope > 0 ? cross(p, pq) / slope : from;
 	return at > from ? at : from;
 }
 
@@ -87,7 +75,7 @@ inline float crossingOf(PlanePoint ray, PlanePoint p, PlanePoint q, float from)
 /// visit(exit, at) for each edge crossed within `reach`: exit is the half-edge of the face left by
 /// the ray, at the length along the ray. Cost: the faces crossed, at most maxCrossings.
 template <class Visit>
-void traceRay(const HalfEdgeMesh& m, int h, PlanePoint ray, float reach, int maxCrossings,
+void traceRay(const HalfEdgeMesh& m, int h, Vec2f ray, float reach, int maxCrossings,
 			  const Visit& visit)
 {
 	UnfoldedFace f(m, h);

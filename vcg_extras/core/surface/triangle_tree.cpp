@@ -95,8 +95,8 @@ Buffer<int> neighboursOf(const MeshView& mesh, const Buffer<int>& face, Workers&
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		const bool arePair = end - begin == 2;
 		for (std::size_t i = begin; i < end; ++i) {
-			const EdgeSide& other                     = sides[begin + end - 1 - i];
-			neighbour[std::size_t(sides[i].halfEdge)] = arePair ? other.halfEdge / 3 : -1;
+			const EdgeSide& other        = sides[begin + end - 1 - i];
+			neighbour[sides[i].halfEdge] = arePair ? other.halfEdge / 3 : -1;
 		}
 	});
 	return neighbour;
@@ -167,7 +167,7 @@ void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Workers& wor
 		std::sort(all.data() + begin, all.data() + end,
 				  [](const Placed& a, const Placed& b) { return a.face < b.face; });
 		for (int i = begin; i < end; ++i)
-			face_[std::size_t(i)] = all[std::size_t(i)].face;
+			face_[i] = all[i].face;
 	});
 }
 
@@ -178,7 +178,7 @@ void TriangleTree::fillBoxes(Workers& workers)
 	workers.forEach(leafNum, [&](int leaf) {
 		Box<double> box;
 		for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i)
-			for (const Vec3d& p : triangle_[std::size_t(i)])
+			for (const Vec3d& p : triangle_[i])
 				box.add(p);
 		node_[leafNum - 1 + std::size_t(leaf)] = roundedOut(box);
 	});
@@ -231,7 +231,7 @@ void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 		if (node < firstLeaf) continue;
 		const int leaf = int(node - firstLeaf);
 		for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i) {
-			const Nearest own = {i, squaredDistance(p, triangle_[std::size_t(i)])};
+			const Nearest own = {i, squaredDistance(p, triangle_[i])};
 			if (isBetter(own, best, ties)) best = own;
 		}
 	}
@@ -240,7 +240,7 @@ void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 TriangleTree::Nearest TriangleTree::nearest(const Vec3d& p, int hint) const
 {
 	Nearest best;
-	if (hint >= 0) best = {hint, squaredDistance(p, triangle_[std::size_t(hint)])};
+	if (hint >= 0) best = {hint, squaredDistance(p, triangle_[hint])};
 	search(p, Ties::FirstFound, best);
 	return best;
 }

@@ -39,7 +39,7 @@ public:
 	TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& workers);
 
 	int             size() const { return int(triangle_.size()); }
-	const Triangle& triangle(int t) const { return triangle_[std::size_t(t)]; }
+	const Triangle& triangle(int t) const { return triangle_[t]; }
 	/// Box of all triangles, relative to origin.
 	const Box<double>& box() const { return box_; }
 
@@ -77,7 +77,7 @@ private:
 	Box<double>        box_;
 	int                depth_ = 0; ///< level of the leaves
 
-	int  face(int t) const { return face_[std::size_t(t)]; }
+	int  face(int t) const { return face_[t]; }
 	void order(const MeshView& mesh, const Vec3d& origin, Workers& workers);
 	void fillBoxes(Workers& workers);
 	enum class Ties { FirstFound, LowestFace };

@@ -16,14 +16,10 @@ namespace {
 /// Crossings in a row without advance, as among needles at the same vertex.
 constexpr int maxIdleCrossings = 32;
 
-/// A point of the plane of the unfolded faces: the walk runs along +x from 0.
-struct Flat {
-	float x, y;
-};
-
-/// A corner in the plane and in space; the position in space is read once only.
+/// A corner in the plane of the unfolded faces, in which the walk runs along +x from 0, and in
+/// space; the position in space is read once only.
 struct Corner {
-	Flat  flat;
+	Vec2f flat;
 	Vec3f place;
 };
 
@@ -85,22 +81,19 @@ struct Unfolded {
 		along               = dot(toApex, edge) * inverse;
 		const float squared = squaredLength(toApex) * inverse - along * along;
 		if (!(squared > 0 && squared < HUGE_VALF)) return false;
-		height            = std::sqrt(squared);
-		const Flat  right = exit.right.flat;
-		const float x     = exit.left.flat.x - right.x;
-		const float y     = exit.left.flat.y - right.y;
-		apex.flat         = {right.x + x * along + y * height, right.y + y * along - x * height};
+		height           = std::sqrt(squared);
+		const Vec2f from = exit.right.flat, e = exit.left.flat - from;
+		apex.flat = {from.x + e.x * along + e.y * height, from.y + e.y * along - e.x * height};
 		return true;
 	}
 
 	/// The place in space of the point (x, 0).
 	Vec3f placeOf(const Exit& exit, float x) const
 	{
-		const Flat  right = exit.right.flat, left = exit.left.flat;
-		const float ex = left.x - right.x, ey = left.y - right.y;
-		const float inverse = 1 / (ex * ex + ey * ey);
-		const float px = x - right.x, py = -right.y;
-		const float s = (px * ex + py * ey) * inverse, t = (px * ey - py * ex) * inverse;
+		const Vec2f from = exit.right.flat, e = exit.left.flat - from;
+		const Vec2f p       = {x - from.x, -from.y};
+		const float inverse = 1 / dot(e, e);
+		const float s = dot(p, e) * inverse, t = cross(p, e) * inverse;
 		const float share = std::clamp(t / height, 0.0f, 1.0f);
 		return exit.right.place + edge * s + (toApex - edge * along) * share;
 	}

@@ -53,22 +53,10 @@ int componentNumOf(const GltfJson& accessor)
 
 PlyType typeOf(std::int64_t componentType)
 {
-	switch (componentType) {
-	case gltf::Int8:
-		return PlyType::Int8;
-	case gltf::UInt8:
-		return PlyType::UInt8;
-	case gltf::Int16:
-		return PlyType::Int16;
-	case gltf::UInt16:
-		return PlyType::UInt16;
-	case gltf::UInt32:
-		return PlyType::UInt32;
-	case gltf::Float:
-		return PlyType::Float32;
-	default:
+	const std::int64_t type = componentType - gltf::firstComponentType;
+	if (type < 0 || type > int(PlyType::Float32) || type == int(PlyType::Int32))
 		failInput("an accessor has numbers of an unknown kind");
-	}
+	return PlyType(type);
 }
 
 bool hasSign(PlyType type)

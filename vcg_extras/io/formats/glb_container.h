@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <string_view>
 
 // The container of binary glTF 2.0 (Khronos, ISO/IEC 12113:2022): chunks, and typed rows of bytes.
@@ -21,15 +20,8 @@ using GltfJson = nlohmann::json;
 namespace gltf {
 constexpr std::uint32_t magic = 0x46546C67, version = 2, jsonChunk = 0x4E4F534A,
 						binaryChunk = 0x004E4942;
-constexpr std::size_t headerBytes = 12, chunkHeaderBytes = 8;
-enum ComponentType : std::int64_t {
-	Int8   = 5120,
-	UInt8  = 5121,
-	Int16  = 5122,
-	UInt16 = 5123,
-	UInt32 = 5125,
-	Float  = 5126
-};
+constexpr std::size_t  headerBytes = 12, chunkHeaderBytes = 8;
+constexpr std::int64_t firstComponentType = 5120; ///< the others follow as in PlyType
 enum Mode : std::int64_t { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 } // namespace gltf
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 
 namespace gpr::app {
@@ -174,7 +173,9 @@ public:
 private:
 	/// Attributes of vertices, by their names in the file.
 	struct Values {
-		std::vector<double> numbers; ///< so many a vertex
+		std::size_t         numEach;   ///< numbers of a vertex
+		double              otherwise; ///< number of vertices without the attribute
+		std::vector<double> numbers = {};
 		bool                isThere = false, isMissingSomewhere = false;
 	};
 	struct Waiting {
@@ -186,7 +187,7 @@ private:
 	const bool              wantsAttributes_;
 	CoordinateArray<double> positions_;
 	IndexArray              triangles_;
-	Values                  normals_, colours_, uv_;
+	Values                  normals_{3, 0}, colours_{4, 1}, uv_{2, 0};
 	std::vector<double>     material_; ///< per triangle; as many as materials: none
 	std::vector<char>       isVisited_;
 	std::vector<Waiting>    waiting_;
@@ -260,55 +261,52 @@ private:
 		}
 	}
 
-	/// The rows of an attribute, or null; they must be as many as the vertices.
-	std::unique_ptr<GltfRows> rowsOf(const GltfJson& attributes, const char* name, int componentNum,
-									 Values& values) const
-	{
-		if (!attributes.contains(name)) {
-			values.isMissingSomewhere = true;
-			return nullptr;
-		}
-		const GltfRows places(glb_, countOf(attributes, "POSITION", -1), 3);
-		auto rows = std::make_unique<GltfRows>(glb_, countOf(attributes, name, -1), componentNum);
-		if (rows->rowNum() != places.rowNum())
-			failInput("a primitive's attributes are not equally many");
-		values.isThere = true;
-		return rows;
-	}
-
 	std::size_t vertexNum() const { return positions_.size() / 3; }
+
+	/// Adds the numbers that put(rows, v) appends for each row of an attribute; the rows must be as
+	/// many as the vertices.
+	template <class Put>
+	void addValues(const GltfJson& attributes, const char* name, int componentNum, Values& values,
+				   const Put& put)
+	{
+		if (attributes.contains(name)) {
+			const GltfRows places(glb_, countOf(attributes, "POSITION", -1), 3);
+			const GltfRows rows(glb_, countOf(attributes, name, -1), componentNum);
+			if (rows.rowNum() != places.rowNum())
+				failInput("a primitive's attributes are not equally many");
+			values.isThere = true;
+			for (std::size_t v = 0; v < rows.rowNum(); ++v)
+				put(rows, v);
+		}
+		else {
+			values.isMissingSomewhere = true;
+		}
+		values.numbers.resize(values.numEach * vertexNum(), values.otherwise);
+	}
 
 	void addNormals(const GltfJson& attributes, const Transform& transform)
 	{
-		if (const auto rows = rowsOf(attributes, "NORMAL", 3, normals_)) {
-			for (std::size_t v = 0; v < rows->rowNum(); ++v) {
-				const Vec3d n =
-					transform.normal({rows->number(v, 0), rows->number(v, 1), rows->number(v, 2)});
-				normals_.numbers.insert(normals_.numbers.end(), {n.x, n.y, n.z});
-			}
-		}
-		normals_.numbers.resize(3 * vertexNum(), 0);
+		addValues(attributes, "NORMAL", 3, normals_, [&](const GltfRows& rows, std::size_t v) {
+			const Vec3d n =
+				transform.normal({rows.number(v, 0), rows.number(v, 1), rows.number(v, 2)});
+			normals_.numbers.insert(normals_.numbers.end(), {n.x, n.y, n.z});
+		});
 	}
 
 	void addColours(const GltfJson& attributes)
 	{
-		if (const auto rows = rowsOf(attributes, "COLOR_0", 0, colours_)) {
-			if (rows->componentNum() < 3) failInput("its colours have too few components");
-			for (std::size_t v = 0; v < rows->rowNum(); ++v) {
-				for (int k = 0; k < 4; ++k)
-					colours_.numbers.push_back(k < rows->componentNum() ? rows->number(v, k) : 1);
-			}
-		}
-		colours_.numbers.resize(4 * vertexNum(), 1);
+		addValues(attributes, "COLOR_0", 0, colours_, [&](const GltfRows& rows, std::size_t v) {
+			if (rows.componentNum() < 3) failInput("its colours have too few components");
+			for (int k = 0; k < 4; ++k)
+				colours_.numbers.push_back(k < rows.componentNum() ? rows.number(v, k) : 1);
+		});
 	}
 
 	void addTexture(const GltfJson& attributes)
 	{
-		if (const auto rows = rowsOf(attributes, "TEXCOORD_0", 2, uv_)) {
-			for (std::size_t v = 0; v < rows->rowNum(); ++v)
-				uv_.numbers.insert(uv_.numbers.end(), {rows->number(v, 0), 1 - rows->number(v, 1)});
-		}
-		uv_.numbers.resize(2 * vertexNum(), 0);
+		addValues(attributes, "TEXCOORD_0", 2, uv_, [&](const GltfRows& rows, std::size_t v) {
+			uv_.numbers.insert(uv_.numbers.end(), {rows.number(v, 0), 1 - rows.number(v, 1)});
+		});
 	}
 
 	void addFaces(const GltfJson& primitive, std::int64_t mode, std::size_t first,
@@ -455,19 +453,12 @@ private:
 
 } // namespace
 
-InputMesh readGlb(std::string_view file, const WantedAttributes& wanted)
+InputMesh readGlb(std::string_view file, bool wantsAttributes)
 {
 	const GlbChunks glb = glbChunksOf(file);
-	GlbReading      reading(glb, wanted.carried);
+	GlbReading      reading(glb, wantsAttributes);
 	reading.readScene();
 	return reading.takeMesh();
-}
-
-InputMesh readGlb(std::string_view file)
-{
-	WantedAttributes wanted;
-	wanted.carried = true;
-	return readGlb(file, wanted);
 }
 
 } // namespace gpr::app

@@ -85,12 +85,12 @@ public:
 	}
 
 	/// The same as an accessor.
-	std::size_t endAccessor(std::size_t begin, const char* type, std::int64_t componentType,
+	std::size_t endAccessor(std::size_t begin, const char* type, PlyType component,
 							std::size_t count)
 	{
 		const std::size_t view = endView(begin);
 		json["accessors"].push_back({{"bufferView", view},
-									 {"componentType", componentType},
+									 {"componentType", gltf::firstComponentType + int(component)},
 									 {"count", count},
 									 {"type", type}});
 		return json["accessors"].size() - 1;
@@ -166,7 +166,7 @@ private:
 			}
 		}
 		const std::size_t accessor =
-			parts_.endAccessor(begin, "VEC3", gltf::Float, vertices.vertex.size());
+			parts_.endAccessor(begin, "VEC3", PlyType::Float32, vertices.vertex.size());
 		parts_.json["accessors"][accessor]["min"] = least;
 		parts_.json["accessors"][accessor]["max"] = most;
 		attributes_["POSITION"]                   = accessor;
@@ -185,7 +185,7 @@ private:
 				parts_.put(float(value));
 		}
 		attributes_["NORMAL"] =
-			parts_.endAccessor(begin, "VEC3", gltf::Float, vertices.vertex.size());
+			parts_.endAccessor(begin, "VEC3", PlyType::Float32, vertices.vertex.size());
 	}
 
 	/// Four bytes a vertex, since rows must begin at multiples of four.
@@ -203,7 +203,7 @@ private:
 			}
 		}
 		const std::size_t accessor =
-			parts_.endAccessor(begin, "VEC4", gltf::UInt8, vertices.vertex.size());
+			parts_.endAccessor(begin, "VEC4", PlyType::UInt8, vertices.vertex.size());
 		parts_.json["accessors"][accessor]["normalized"] = true;
 		attributes_["COLOR_0"]                           = accessor;
 	}
@@ -216,7 +216,7 @@ private:
 			parts_.put(uv[1]);
 		}
 		attributes_["TEXCOORD_0"] =
-			parts_.endAccessor(begin, "VEC2", gltf::Float, vertices.uv.size());
+			parts_.endAccessor(begin, "VEC2", PlyType::Float32, vertices.uv.size());
 	}
 
 	// ---- materials
@@ -314,7 +314,7 @@ private:
 					parts_.put(vertices.corner[c]);
 			}
 			GltfJson primitive = {{"attributes", attributes_},
-								  {"indices", parts_.endAccessor(begin, "SCALAR", gltf::UInt32,
+								  {"indices", parts_.endAccessor(begin, "SCALAR", PlyType::UInt32,
 																 3 * ofMaterial.size())}};
 			if (material >= 0 && std::size_t(material) < materialNum_)
 				primitive["material"] = material;

@@ -94,9 +94,7 @@ void writeStl(const TriangleMesh& mesh, bool doublePrecision, const MeshAttribut
 /// resolve the mesh. Texture coordinates count from the lower left corner, as in the other formats.
 /// Points and lines are left out, with a note. Refuses compression, morph targets, sparse data and
 /// data in other files.
-InputMesh readGlb(std::string_view file, const WantedAttributes& wanted);
-/// With all attributes.
-InputMesh readGlb(std::string_view file);
+InputMesh readGlb(std::string_view file, bool wantsAttributes = true);
 
 /// Writes a binary file of one mesh, with texture coordinates, colours and normals of the vertices,
 /// and materials, if any. glTF has one texture coordinate for each vertex, so vertices along seams

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <string>
 
@@ -26,28 +25,6 @@ void putFloats(const Vec3d& v, char*& at)
 	for (const double c : {v.x, v.y, v.z})
 		putLittleEndian(float(c), at);
 }
-
-} // namespace
-
-void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
-{
-	out.text("OFF\n");
-	out.text(std::to_string(mesh.vertexNum()) + " " + std::to_string(mesh.faceNum()) + " 0\n");
-	for (const Vec3d& p : mesh.positions) {
-		out.position(p, doublePrecision);
-		out.text("\n");
-	}
-	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		out.text("3");
-		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
-			out.text(" ");
-			out.integer(mesh.triangles[c]);
-		}
-		out.text("\n");
-	}
-}
-
-namespace {
 
 std::array<Vec3d, 3> cornersOf(const TriangleMesh& mesh, std::size_t f)
 {
@@ -122,6 +99,24 @@ bool areSeveral(const std::vector<std::int32_t>& labels)
 }
 
 } // namespace
+
+void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
+{
+	out.text("OFF\n");
+	out.text(std::to_string(mesh.vertexNum()) + " " + std::to_string(mesh.faceNum()) + " 0\n");
+	for (const Vec3d& p : mesh.positions) {
+		out.position(p, doublePrecision);
+		out.text("\n");
+	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		out.text("3");
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+			out.text(" ");
+			out.integer(mesh.triangles[c]);
+		}
+		out.text("\n");
+	}
+}
 
 void writeStl(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out, std::vector<std::string>& lost)

@@ -137,9 +137,7 @@ public:
 	FirstCorners(const StlFacets& facets, Workers& workers) :
 			facets_(facets), workers_(workers), table_(sizeFor(facets.cornerNum()))
 	{
-		workers_.forRange(table_.size(), [&](std::size_t begin, std::size_t end) {
-			std::fill(table_.data() + begin, table_.data() + end, none);
-		});
+		workers_.forEach(table_.size(), [&](std::size_t at) { table_[at] = none; });
 	}
 
 	/// Of every corner.
@@ -147,14 +145,8 @@ public:
 	{
 		const std::size_t num = facets_.cornerNum();
 		Buffer<int>       slot(num);
-		workers_.forRange(num, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t c = begin; c < end; ++c)
-				slot[c] = put(c);
-		});
-		workers_.forRange(num, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t c = begin; c < end; ++c)
-				slot[c] = table_[slot[c]];
-		});
+		workers_.forEach(num, [&](std::size_t c) { slot[c] = put(c); });
+		workers_.forEach(num, [&](std::size_t c) { slot[c] = table_[slot[c]]; });
 		return slot;
 	}
 

@@ -5,7 +5,6 @@
 
 #include "mesh_attributes.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>

@@ -27,36 +27,6 @@ double meanEdgeLength(const MeshView& mesh)
 	return num > 0 ? sum / double(num) : 0;
 }
 
-} // namespace
-
-double largestCoordinate(const MeshView& mesh)
-{
-	double largest = 0;
-	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
-		const Vec3d p = mesh.position(v);
-		for (const double c : {p.x, p.y, p.z}) {
-			if (std::isfinite(c)) largest = std::max(largest, std::abs(c));
-		}
-	}
-	return largest;
-}
-
-bool floatResolves(double largest, double edgeLen)
-{
-	constexpr double floatEpsilon = 1.0 / (1 << 23); // distance of neighbouring floats around 1
-	constexpr double largestFloat = 3e38;
-	return largest < largestFloat && largest * floatEpsilon <= edgeLen / 1000;
-}
-
-void roundToFloat(InputMesh& mesh)
-{
-	mesh.floats.assign(mesh.doubles.begin(), mesh.doubles.end());
-	CoordinateArray<double>().swap(mesh.doubles);
-	mesh.doublePrecision = false;
-}
-
-namespace {
-
 /// Per vertex: whether a vertex at another place has the same floats.
 std::vector<bool> unitedByFloat(const std::vector<Vec3d>& positions)
 {
@@ -92,6 +62,32 @@ bool losesItsSide(const Vec3d& a, const Vec3d& b, const Vec3d& c)
 }
 
 } // namespace
+
+double largestCoordinate(const MeshView& mesh)
+{
+	double largest = 0;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		const Vec3d p = mesh.position(v);
+		for (const double c : {p.x, p.y, p.z}) {
+			if (std::isfinite(c)) largest = std::max(largest, std::abs(c));
+		}
+	}
+	return largest;
+}
+
+bool floatResolves(double largest, double edgeLen)
+{
+	constexpr double floatEpsilon = 1.0 / (1 << 23); // distance of neighbouring floats around 1
+	constexpr double largestFloat = 3e38;
+	return largest < largestFloat && largest * floatEpsilon <= edgeLen / 1000;
+}
+
+void roundToFloat(InputMesh& mesh)
+{
+	mesh.floats.assign(mesh.doubles.begin(), mesh.doubles.end());
+	CoordinateArray<double>().swap(mesh.doubles);
+	mesh.doublePrecision = false;
+}
 
 std::size_t facesSpoiledByFloat(const TriangleMesh& mesh)
 {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_parts.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace gpr::app {
 
@@ -28,8 +28,7 @@ void measureJunctions(const MeshView& mesh, const Buffer<EdgeSide>& sides, MeshP
 /// Per face: the first face of its piece.
 std::vector<int> piecesOf(const MeshView& mesh, const Buffer<EdgeSide>& sides)
 {
-	std::vector<int> first(mesh.faceNum);
-	std::iota(first.begin(), first.end(), 0);
+	std::vector<int>            first = numbersBelow(mesh.faceNum);
 	std::map<std::int32_t, int> faceOf; // by label, at one edge
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		if (sides[begin].low == sides[begin].high) return;

@@ -4,37 +4,20 @@
 
 namespace gpr::app {
 
-ExitCode exitCodeOf(Status status)
+std::string sentenceOf(const Outcome& outcome)
 {
-	switch (status) {
-	case Status::Ok:
-		return ExitCode::Done;
-	case Status::BadOptions:
-		return ExitCode::Usage;
-	case Status::UnusableInput:
-		return ExitCode::BadInput;
-	case Status::CountTooSmall:
-	case Status::PromiseBroken:
-		return ExitCode::PromiseBroken;
-	case Status::Cancelled:
-	case Status::OutOfTime:
-		return ExitCode::Stopped;
-	case Status::OutOfMemory:
-	case Status::InternalError:
-		return ExitCode::Failure;
-	}
-	return ExitCode::Failure;
+	if (outcome.message.empty()) return "the remeshing failed without a sentence.";
+	return outcome.message;
 }
 
-std::string sentenceOf(const RemeshResult& result)
+void requireDone(const Outcome& outcome)
 {
-	if (result.message.empty()) return "the remeshing failed without a sentence.";
-	return result.message;
-}
-
-void requireMesh(const RemeshResult& result)
-{
-	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), sentenceOf(result));
+	constexpr ExitCode codes[] = {
+		ExitCode::Done,          ExitCode::Usage,         ExitCode::BadInput,
+		ExitCode::PromiseBroken, ExitCode::PromiseBroken, ExitCode::Failure,
+		ExitCode::Stopped,       ExitCode::Stopped,       ExitCode::Failure}; // by Status
+	if (outcome.status != Status::Ok)
+		throw AppError(codes[int(outcome.status)], sentenceOf(outcome));
 }
 
 } // namespace gpr::app

@@ -10,14 +10,11 @@
 
 namespace gpr::app {
 
-/// The program's exit code for a status of the engine.
-ExitCode exitCodeOf(Status status);
+/// The sentence for a run without a result.
+std::string sentenceOf(const Outcome& outcome);
 
-/// The sentence for a run without a mesh.
-std::string sentenceOf(const RemeshResult& result);
-
-/// Throws AppError with the fitting exit code and sentence for a run without a mesh.
-void requireMesh(const RemeshResult& result);
+/// Throws AppError with the fitting exit code and sentence for a run without a result.
+void requireDone(const Outcome& outcome);
 
 } // namespace gpr::app
 

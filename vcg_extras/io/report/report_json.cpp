@@ -7,9 +7,6 @@
 #include <vcg_extras/core/parameters.h>
 #include <vcg_extras/core/report_rows.h>
 
-#include <string>
-#include <vector>
-
 namespace gpr::app {
 
 namespace {
@@ -40,29 +37,16 @@ Json featuresJson(const RemeshOptions& o)
 /// The options in force; of the sizes only the used size.
 Json optionsJson(const RemeshOptions& o)
 {
-	Json json = {{"target", modeNames[int(o.targetMode)]}};
-	switch (o.targetMode) {
-	case TargetMode::VertexNum:
-		json["vertices"] = o.targetVertexNum;
-		break;
-	case TargetMode::FaceNum:
-		json["faces"] = o.targetFaceNum;
-		break;
-	case TargetMode::Percent:
-		json["percent"] = o.targetPercent;
-		break;
-	case TargetMode::EdgeLength:
-		json[o.edgeLenIsPercent ? "edgeLengthPercent" : "edgeLength"] = o.targetEdgeLen;
-		break;
-	case TargetMode::MaxError:
-		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
-		break;
-	case TargetMode::Sizes:
-		break;
-	case TargetMode::Detail:
-		json["detail"] = choiceName("Detail", o.targetDetail);
-		break;
-	}
+	const char* const mode = modeNames[int(o.targetMode)];
+	Json              json = {{"target", mode}};
+	if (o.targetMode == TargetMode::VertexNum) json[mode] = o.targetVertexNum;
+	if (o.targetMode == TargetMode::FaceNum) json[mode] = o.targetFaceNum;
+	if (o.targetMode == TargetMode::Percent) json[mode] = o.targetPercent;
+	if (o.targetMode == TargetMode::EdgeLength)
+		json[o.edgeLenIsPercent ? "edgeLengthPercent" : mode] = o.targetEdgeLen;
+	if (o.targetMode == TargetMode::MaxError)
+		json[o.maxErrorIsPercent ? "maxErrorPercent" : mode] = o.targetMaxError;
+	if (o.targetMode == TargetMode::Detail) json[mode] = choiceName("Detail", o.targetDetail);
 	json["preset"] = choiceName("Preset", o.preset);
 	json["relax"]  = o.umbrellaSteps;
 	json["flips"]  = o.flipPasses;
@@ -191,10 +175,6 @@ Json errorJson(const RemeshReport& r)
 	return json;
 }
 
-} // namespace
-
-namespace {
-
 Json remeshJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
@@ -228,25 +208,6 @@ Json remeshJson(const RunRecord& run)
 	return json;
 }
 
-} // namespace
-
-std::string remeshReportJson(const RunRecord& run)
-{
-	return textOf(remeshJson(run));
-}
-
-std::string levelsReportJson(const std::vector<RunRecord>& levels)
-{
-	Json json;
-	json["program"] = programJson();
-	json["levels"]  = Json::array();
-	for (const RunRecord& run : levels)
-		json["levels"].push_back(remeshJson(run));
-	return textOf(json);
-}
-
-namespace {
-
 Json regionsJson(const std::vector<MeshParts::Region>& regions)
 {
 	Json list = Json::array();
@@ -263,6 +224,21 @@ Json regionsJson(const std::vector<MeshParts::Region>& regions)
 }
 
 } // namespace
+
+std::string remeshReportJson(const RunRecord& run)
+{
+	return textOf(remeshJson(run));
+}
+
+std::string levelsReportJson(const std::vector<RunRecord>& levels)
+{
+	Json json;
+	json["program"] = programJson();
+	json["levels"]  = Json::array();
+	for (const RunRecord& run : levels)
+		json["levels"].push_back(remeshJson(run));
+	return textOf(json);
+}
 
 std::string meshInfoJson(const MeshInfo& info)
 {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_lines.h"
 
-#include "number_text.h"
-
 #include <algorithm>
 #include <cmath>
 

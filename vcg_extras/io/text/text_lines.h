@@ -8,7 +8,6 @@
 #include <vcg_extras/core/base/workers.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>

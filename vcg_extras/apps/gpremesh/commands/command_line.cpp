@@ -145,17 +145,6 @@ void takePeriod(CommandLine& line)
 
 } // namespace
 
-bool isMeshName(const std::string& path)
-{
-	try {
-		formatOfPath(path);
-		return true;
-	}
-	catch (const AppError&) {
-		return false;
-	}
-}
-
 std::string withoutSlashAtEnd(const std::string& path)
 {
 	const std::filesystem::path all(path);

@@ -13,14 +13,15 @@
 
 namespace gpr::app {
 
+/// In the order of commandNames.
 enum class Command {
-	None, ///< --help, --version or --manual-page: printed already
 	Remesh,
-	Info,
-	Compare,
-	Features,
-	Tile,
 	Levels,
+	Info,
+	Features,
+	Compare,
+	Tile,
+	None, ///< --help, --version or --manual-page: printed already
 };
 
 /// The place of a level's number in OUT of levels.
@@ -72,9 +73,6 @@ struct CommandLine {
 	double shareDone = 0;           ///< remesh: share of the whole work done before, for the
 									///< progress bar
 };
-
-/// Whether a path has an extension of a mesh that this build writes.
-bool isMeshName(const std::string& path);
 
 /// Path of the result of one of several files.
 std::string pathOfPiece(const CommandLine& line, const std::string& piece);

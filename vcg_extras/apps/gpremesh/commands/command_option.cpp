@@ -113,8 +113,7 @@ std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 
 CommandOption reportOption(CommandLine& line, const char* help)
 {
-	return {"--report", "FILE.json", help,
-			[&line](const std::string& word) { line.report = word; }};
+	return textOption("--report", "FILE.json", help, line.report, everydayGroup);
 }
 
 CommandOption quietOption(CommandLine& line)

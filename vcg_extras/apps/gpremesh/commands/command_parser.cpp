@@ -98,11 +98,6 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 	add(command, quietOption(line));
 }
 
-void addOutput(CLI::App& command, CommandLine& line)
-{
-	command.add_option("OUT", line.output, outHelp())->required();
-}
-
 /// The file names of a command.
 struct Files {
 	std::string              in, out;
@@ -126,13 +121,12 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* help, std::str
 	return command;
 }
 
-CLI::App* addRemesh(CLI::App& app, RemeshWords& words, Files& files)
+void addRemesh(CLI::App& app, RemeshWords& words, Files& files)
 {
 	CLI::App* remesh = addCommand(app, "remesh", remeshDescription, files.in);
 	remesh->add_option("OUT", files.out, outHelpOfRemesh());
 	remesh->add_option("MORE", files.more, "With --out-dir: further input meshes");
 	addInGroups(*remesh, words.options());
-	return remesh;
 }
 
 bool isForLevels(const Parameter& p)
@@ -160,7 +154,7 @@ void addLevelSizes(CLI::App& levels, const char* option, const char* help, Targe
 }
 
 /// Several sizes of one mesh.
-CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
+void addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* levels =
 		addCommand(app, "levels",
@@ -181,15 +175,12 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 	addInGroups(*levels, tableOptions(RemeshTool, given, isForLevels));
 	addInGroups(*levels, valueOptions(line));
 	addOutcome(*levels, line, "Write a report of each level as JSON, in the list 'levels'");
-	return levels;
 }
 
-CLI::App* addInfo(CLI::App& app, CommandLine& line)
+void addInfo(CLI::App& app, CommandLine& line)
 {
-	CLI::App* info =
-		addCommand(app, "info", "Prints counts, topology and quality of IN.", line.input);
-	info->add_flag("--json", line.json, "Print JSON");
-	return info;
+	addCommand(app, "info", "Prints counts, topology and quality of IN.", line.input)
+		->add_flag("--json", line.json, "Print JSON");
 }
 
 bool isForStep(const Parameter& p)
@@ -204,7 +195,7 @@ bool isForCompare(const Parameter& p)
 	return key != "TimeLimit" && key != "Selected" && key != "Check";
 }
 
-CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
+void addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* compare = addCommand(
 		app, "compare",
@@ -224,10 +215,9 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->add_option("--html", line.htmlFolder,
 					 "Write the page DIR/index.html with rotatable views and pictures")
 		->type_name("DIR");
-	return compare;
 }
 
-CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
+void addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* features = addCommand(
 		app, "features",
@@ -237,7 +227,6 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 	features->add_option("OUT", line.output, "Mesh to write: .ply; may be IN")->required();
 	addTableOptions(*features, FeatureTool, given);
 	addOutcome(*features, line, "Write thresholds and counts as JSON");
-	return features;
 }
 
 CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const char* name,
@@ -250,7 +239,7 @@ CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const ch
 }
 
 /// The steps of a run in tiles, for several machines with a common folder.
-CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
+void addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* const tile = app.add_subcommand(
 		"tile", "The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
@@ -276,12 +265,11 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
 	CLI::App* const finish =
 		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes the joined tiles.");
-	addOutput(*finish, line);
+	finish->add_option("OUT", line.output, outHelp())->required();
 	addTableOptions(*finish, RemeshTool, given, isForStep);
 	addOutcome(*finish, line, "Write a report of the run and the result as JSON");
 	add(*finish, tilesOutOption(line));
 	tile->footer(exitCodeHelp);
-	return tile;
 }
 
 /// An option for the build, which installs the page; --help does not show this option.
@@ -314,12 +302,12 @@ CommandLine parseCommandLine(int argc, char** argv)
 			   "'gpremesh COMMAND --help-all' all options.\n"
 			   "'gpremesh IN -o OUT' is 'gpremesh remesh IN OUT'.\n\n" +
 			   std::string(exitCodeHelp));
-	CLI::App* const remesh   = addRemesh(app, remeshWords, files);
-	CLI::App* const info     = addInfo(app, line);
-	CLI::App* const compare  = addCompare(app, line, given);
-	CLI::App* const features = addFeatures(app, line, given);
-	CLI::App* const tile     = addTile(app, line, given);
-	CLI::App* const levels   = addLevels(app, line, given);
+	addRemesh(app, remeshWords, files);
+	addInfo(app, line);
+	addCompare(app, line, given);
+	addFeatures(app, line, given);
+	addTile(app, line, given);
+	addLevels(app, line, given);
 	addManualPage(app);
 	try {
 		std::vector<std::string> words = withCommand({argv + std::min(argc, 1), argv + argc});
@@ -333,15 +321,11 @@ CommandLine parseCommandLine(int argc, char** argv)
 	catch (const CLI::ParseError& error) {
 		failUsage(sentence(error.what()) + " See gpremesh --help.");
 	}
-	if (remesh->parsed()) {
+	line.command = commandNamed(app.get_subcommands().front()->get_name());
+	if (line.command == Command::Remesh) {
 		remeshWords.takeFiles(files.all());
 		return remeshWords.line();
 	}
-	if (info->parsed()) line.command = Command::Info;
-	if (compare->parsed()) line.command = Command::Compare;
-	if (features->parsed()) line.command = Command::Features;
-	if (tile->parsed()) line.command = Command::Tile;
-	if (levels->parsed()) line.command = Command::Levels;
 	complete(given, line);
 	return line;
 }

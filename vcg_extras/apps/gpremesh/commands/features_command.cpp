@@ -60,7 +60,7 @@ FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
 		});
 	bar.clear();
 	if (stopRequested()) limit.check();
-	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), result.message);
+	requireDone(result);
 	return result;
 }
 
@@ -99,12 +99,7 @@ void putColumns(std::vector<ValueColumn> columns, MeshAttributes& attributes)
 void writeFeatures(InputMesh& mesh, const FeatureResult& found, OutputFile& out)
 {
 	putColumns(columnsOf(found), mesh.attributes);
-	const MeshView view = mesh.view();
-	TriangleMesh   same;
-	same.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		same.positions.push_back(view.position(v));
-	writeMesh(same, mesh.doublePrecision, mesh.attributes, out);
+	writeMesh(triangleMeshOf(mesh.view()), mesh.doublePrecision, mesh.attributes, out);
 }
 
 FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureResult& found)

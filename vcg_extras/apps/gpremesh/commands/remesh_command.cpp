@@ -111,7 +111,7 @@ RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
 		prepared != nullptr ? prepared->remesh(options, progress) : remesh(view, options, progress);
 	bar.clear();
 	if (stopRequested()) limit.check();
-	requireMesh(result);
+	requireDone(result);
 	return result;
 }
 

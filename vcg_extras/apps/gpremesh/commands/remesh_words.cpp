@@ -4,11 +4,8 @@
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/mesh_io.h>
-#include <vcg_extras/io/text/number_text.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <sstream>
 
 namespace gpr::app {
 
@@ -35,11 +32,16 @@ std::string outHelpOfRemesh()
 const std::vector<std::string> commandNames = {"remesh",   "levels",  "info",
 											   "features", "compare", "tile"};
 
+Command commandNamed(const std::string& word)
+{
+	const auto name = std::find(commandNames.begin(), commandNames.end(), word);
+	return Command(name - commandNames.begin());
+}
+
 std::vector<std::string> withCommand(std::vector<std::string> words)
 {
-	const bool isCommand = !words.empty() && std::find(commandNames.begin(), commandNames.end(),
-													   words.front()) != commandNames.end();
-	if (!words.empty() && !isCommand && words.front()[0] != '-' && isMeshName(words.front()))
+	const bool isOther = !words.empty() && commandNamed(words.front()) == Command::None;
+	if (isOther && words.front()[0] != '-' && isMeshName(words.front()))
 		words.insert(words.begin(), "remesh");
 	return words;
 }

@@ -42,6 +42,8 @@ std::string outHelpOfRemesh();
 
 /// The commands of the program.
 extern const std::vector<std::string> commandNames;
+/// The command of a name; Command::None for any other word.
+Command commandNamed(const std::string& word);
 
 /// Adds the command `remesh` in front if the first word is the name of a mesh: `gpremesh scan.ply
 /// -o small.ply`.

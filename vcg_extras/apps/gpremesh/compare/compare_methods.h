@@ -4,7 +4,6 @@
 #define VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_METHODS_H
 
 #include <vcg_extras/apps/gpremesh/commands/command_line.h>
-#include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 #include <vcg_extras/io/mesh/mesh_data.h>

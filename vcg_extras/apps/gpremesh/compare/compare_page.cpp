@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare_output.h"
 
-#include <vcg_extras/io/report/formatted_text.h>
 #include <vcg_extras/viewer/base64.h>
 
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include <vcg_extras/io/report/formatted_text.h>
 
 #include <functional>
-#include <sstream>
 
 namespace gpr::app {
 

@@ -120,13 +120,10 @@ void MeshPhotographer::placeCameras(const MeshView& subject, double edgeLen)
 MeshPictures MeshPhotographer::take(const MeshView& mesh)
 {
 	if (folder_.empty()) return {};
-	const std::string path = folder_ + "/mesh.ply";
-	TriangleMesh      moved;
-	moved.triangles = trianglesOf(mesh);
-	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
-		const Vec3d p = mesh.position(v);
-		moved.positions.push_back(isFinite(p) ? local(p) : Vec3d());
-	}
+	const std::string path  = folder_ + "/mesh.ply";
+	TriangleMesh      moved = triangleMeshOf(mesh);
+	for (Vec3d& p : moved.positions)
+		p = isFinite(p) ? local(p) : Vec3d();
 	MeshAttributes none;
 	writeMesh(moved, false, none, path, RunLimit());
 	MeshPictures pictures;

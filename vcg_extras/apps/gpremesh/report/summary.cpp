@@ -79,31 +79,6 @@ std::string notesText(const std::vector<std::string>& notes)
 	return lines;
 }
 
-} // namespace
-
-std::string remeshSummary(const RunRecord& run)
-{
-	const std::string cleaned = cleanedText(run.report.cleaned);
-	std::string text = "read     " + run.inputPath + ": " + countsText(run.report.input) + "\n";
-	if (!cleaned.empty()) text += "cleaned  " + cleaned + "\n";
-	text += "wrote    " + run.outputPath + ": " + countsText(run.report.result) + "\n";
-	for (const MadeFile& file : run.files)
-		text += "         " + file.path + ": " + counted(file.vertices, "vertex", "vertices") +
-				", " + counted(file.faces, "face", "faces") + "\n";
-	if (run.report.untouchedFaceNum > 0)
-		text += "         all figures are of the selected part; " +
-				counted(run.report.untouchedFaceNum, "face", "faces") + " stayed unchanged\n";
-	text += "quality  " + qualityText(run.report.quality) + "\n";
-	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
-	if (run.report.isDistanceProven)
-		text += provenText(run.report.provenDistance, run.report.input.diagonal);
-	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
-					  run.times.read, run.times.remesh, run.times.write);
-	return text + notesText(run.notes);
-}
-
-namespace {
-
 /// The regions with their areas; of many, the first ones.
 std::string regionsText(const std::vector<MeshParts::Region>& regions)
 {
@@ -134,6 +109,27 @@ std::string junctionsText(const MeshParts& parts)
 }
 
 } // namespace
+
+std::string remeshSummary(const RunRecord& run)
+{
+	const std::string cleaned = cleanedText(run.report.cleaned);
+	std::string text = "read     " + run.inputPath + ": " + countsText(run.report.input) + "\n";
+	if (!cleaned.empty()) text += "cleaned  " + cleaned + "\n";
+	text += "wrote    " + run.outputPath + ": " + countsText(run.report.result) + "\n";
+	for (const MadeFile& file : run.files)
+		text += "         " + file.path + ": " + counted(file.vertices, "vertex", "vertices") +
+				", " + counted(file.faces, "face", "faces") + "\n";
+	if (run.report.untouchedFaceNum > 0)
+		text += "         all figures are of the selected part; " +
+				counted(run.report.untouchedFaceNum, "face", "faces") + " stayed unchanged\n";
+	text += "quality  " + qualityText(run.report.quality) + "\n";
+	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
+	if (run.report.isDistanceProven)
+		text += provenText(run.report.provenDistance, run.report.input.diagonal);
+	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
+					  run.times.read, run.times.remesh, run.times.write);
+	return text + notesText(run.notes);
+}
 
 std::string meshInfoText(const MeshInfo& info)
 {

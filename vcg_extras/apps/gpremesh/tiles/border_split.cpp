@@ -8,18 +8,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <tuple>
-#include <utility>
 
 namespace gpr::app {
 
 namespace {
-
-Edge edgeOf(std::int32_t a, std::int32_t b)
-{
-	return {std::min(a, b), std::max(a, b)};
-}
 
 class BorderSplitter {
 public:
@@ -145,7 +137,7 @@ private:
 		auto        at   = split_.end();
 		std::size_t side = 0;
 		for (std::size_t k = 0; k < 3; ++k) {
-			const auto found = split_.find(edgeOf(corner(f, k), corner(f, k + 1)));
+			const auto found = split_.find(std::minmax({corner(f, k), corner(f, k + 1)}));
 			if (found == split_.end() || (at != split_.end() && at->first < found->first)) continue;
 			at   = found;
 			side = k;

@@ -5,7 +5,6 @@
 
 #include <vcg_extras/core/vec.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace gpr::app {

@@ -10,14 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace gpr::app {
 
 namespace {
-
-/// Records between two checks of the run limit.
-constexpr std::uint64_t pollMask = 0xffff;
 
 constexpr std::size_t colourBytes = 3;
 

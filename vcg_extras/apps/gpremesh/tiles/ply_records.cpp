@@ -3,7 +3,6 @@
 #include "ply_records.h"
 
 #include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/formats/ply_header.h>
 #include <vcg_extras/io/formats/ply_source.h>
 #include <vcg_extras/io/text/text_pieces.h>
 

@@ -68,6 +68,9 @@ struct FaceRecord {
 /// Appends a face to `out` as in a file with the same properties.
 void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::string& out);
 
+/// Records between two checks of the run limit.
+constexpr std::uint64_t pollMask = 0xffff;
+
 /// Bytes read at once.
 constexpr std::size_t usualBufferBytes = std::size_t(1) << 22;
 

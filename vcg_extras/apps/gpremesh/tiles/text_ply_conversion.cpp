@@ -3,7 +3,6 @@
 #include "conversion.h"
 #include "ply_records.h"
 
-#include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/formats/ply_header.h>
 #include <vcg_extras/io/formats/ply_source.h>
@@ -15,9 +14,6 @@
 namespace gpr::app {
 
 namespace {
-
-/// Records between two checks of the run limit.
-constexpr std::uint64_t pollMask = 0xffff;
 
 /// The layout of a binary file that can hold all values of the text: words of the text may exceed
 /// the types of the header, see TextSource.

@@ -11,8 +11,6 @@ namespace gpr::app {
 
 namespace {
 
-constexpr std::uint64_t pollMask = 0xffff;
-
 class PartJoiner {
 public:
 	PartJoiner(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,

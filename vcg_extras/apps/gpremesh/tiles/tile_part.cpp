@@ -164,7 +164,7 @@ private:
 		RemeshResult result = remesh(view, options, progress_);
 		if (!isAboutTheTile(result.status)) {
 			limit_.check();
-			requireMesh(result);
+			requireDone(result);
 		}
 		if (result.status != Status::Ok) {
 			note = sentenceOf(result);
@@ -227,9 +227,7 @@ private:
 	{
 		const MeshView view = mesh_.view();
 		RemeshResult   same;
-		for (std::size_t v = 0; v < view.vertexNum; ++v)
-			same.mesh.positions.push_back(view.position(v));
-		same.mesh.triangles = trianglesOf(view);
+		same.mesh = triangleMeshOf(view);
 		same.surfacePoints.resize(view.vertexNum);
 		for (std::size_t f = 0; f < view.faceNum; ++f) {
 			same.facePoints.push_back(BarycentricPoint::ofMiddle(f));

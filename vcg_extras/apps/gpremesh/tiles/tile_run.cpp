@@ -10,7 +10,6 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
 #include <cstdio>

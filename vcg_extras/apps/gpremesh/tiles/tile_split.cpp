@@ -12,9 +12,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <memory>
-#include <numeric>
 
 namespace gpr::app {
 
@@ -24,9 +21,6 @@ namespace fs = std::filesystem;
 
 /// Shares of the work, for even progress.
 constexpr double shareOfVertices = 0.25, shareOfFaces = 0.45;
-/// Records between two checks of the run limit.
-constexpr std::uint64_t pollMask = 0xffff;
-
 /// A vertex of a tile, lent to another tile.
 struct Lent {
 	std::uint32_t tile, number;
