@@ -13,14 +13,13 @@ namespace {
 
 class Descent {
 public:
-	/// enough: a squared distance that ends the search.
-	Descent(const HalfEdgeMesh& mesh, const Vec3f& p, const Vec3f& facing, float enough) :
-			m_(mesh), p_(p), facing_(facing), isAnyWay_(facing == Vec3f()), enough_(enough)
+	Descent(const HalfEdgeMesh& mesh, const Vec3f& p, const Vec3f& facing) :
+			m_(mesh), p_(p), facing_(facing), isAnyWay_(facing == Vec3f())
 	{
 	}
 
 	const SurfacePoint& at() const { return at_; }
-	bool                isNear() const { return squared_ <= enough_; }
+	float               squared() const { return squared_; }
 
 	void tryFace(int f)
 	{
@@ -38,7 +37,6 @@ public:
 	{
 		const float before = squared_;
 		forEachOutgoing(m_, v, [&](int h) {
-			if (isNear()) return;
 			if (isAnyWay_ || !(dot(m_.faceCross(h / 3), facing_) < 0)) tryFace(h / 3);
 		});
 		return squared_ < before;
@@ -61,7 +59,6 @@ private:
 	const HalfEdgeMesh& m_;
 	Vec3f               p_, facing_;
 	bool                isAnyWay_; ///< faces of either side count
-	float               enough_;
 	SurfacePoint        at_;
 	float               squared_ = HUGE_VALF;
 };
@@ -91,11 +88,11 @@ int nearestVertex(const HalfEdgeMesh& m, int face, const Vec3f& p)
 Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
 {
 	constexpr int maxHops = 64;
-	Descent       descent(m, p, Vec3f(), enough);
+	Descent       descent(m, p, Vec3f());
 	descent.tryFace(face);
 	// First by vertices: a look at a vertex costs a tenth of a look at a face.
-	if (!descent.isNear()) descent.tryRound(nearestVertex(m, face, p));
-	for (int i = 0; i < maxHops && !descent.isNear(); ++i) {
+	if (descent.squared() > enough) descent.tryRound(nearestVertex(m, face, p));
+	for (int i = 0; i < maxHops && descent.squared() > enough; ++i) {
 		if (descent.isInside() || !descent.hop()) break;
 	}
 	face = descent.at().face;
@@ -104,7 +101,7 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 
 SurfacePoint nearestByDescent(const HalfEdgeMesh& m, int from, const Vec3f& p, const Vec3f& facing)
 {
-	Descent descent(m, p, facing, 0);
+	Descent descent(m, p, facing);
 	for (bool isNearer = descent.tryRound(from); isNearer;)
 		isNearer = descent.hop();
 	return descent.at();
