@@ -248,6 +248,8 @@ MUTANTS = [
      "return !spoilsRing(limits_, m_, a, p, b) && !spoilsRing(limits_, m_, b, p, a);", "return true;"),
     ("repair keeps the count", "optimization/face_repair.cpp", "if (!isReached) return false;", ""),
     # ---- guard
+    ("contacts beside a kept border", "guard/contact_removal.cpp",
+     "if (replacement.hasNewContacts()) return {before, true};", ""),
     ("contacts: faces of others", "guard/contact_guard.cpp",
      "if (boxOfMade_[i].meets(box) && doesTouch(made[i]))", "if (false)"),
     ("contacts: faces to go", "guard/contact_guard.cpp",
