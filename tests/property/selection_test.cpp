@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
 #include <map>
@@ -291,6 +292,25 @@ TEST(Boundary, KeepLeavesEveryVertexOfItAndAddsNone)
 			EXPECT_EQ(borderOf(r.mesh), borderOf(mesh));
 		}
 	}
+}
+
+/// Errors in percent are of the diagonal of the whole mesh, also in the notes.
+TEST(Selection, ErrorsAreSharesOfTheWholeDiagonal)
+{
+	const TriangleMesh        mesh = joined(icosphere(4), shifted(icosphere(4), {20, 0, 0}));
+	std::vector<std::uint8_t> selected(mesh.faceNum(), 0);
+	std::fill_n(selected.begin(), mesh.faceNum() / 2, std::uint8_t(1));
+	RemeshOptions options = percent(20);
+	options.targetMode    = TargetMode::Detail;
+	options.targetDetail  = Detail::Fine;
+	const RemeshResult r  = remeshSelection(mesh, selected, options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	char text[80];
+	std::snprintf(text, sizeof text, "%.4g (%.3g %% of the diagonal)",
+				  detailError(Detail::Fine) * r.report.input.diagonal,
+				  100 * detailError(Detail::Fine));
+	ASSERT_FALSE(r.notes.empty());
+	EXPECT_NE(r.notes.front().find(text), std::string::npos) << r.notes.front();
 }
 
 /// Rounding is no more than a hundred-millionth of the box, which is much of a small triangle.

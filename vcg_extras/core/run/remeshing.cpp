@@ -67,10 +67,11 @@ Request requestOf(const Call& call)
 	Request          request{call.options, std::int64_t(call.input.vertexNum)};
 	const TargetMode mode = call.options.targetMode;
 	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
-		const MeshExtent extent = extentOf(call.input);
-		request.purpose         = Purpose::Forecast;
-		request.goal            = errorGoalOf(call.input, call.options, extent);
-		request.diagonal        = extent.diagonal;
+		MeshExtent extent = extentOf(call.input);
+		if (call.diagonal > 0) extent.diagonal = call.diagonal;
+		request.purpose  = Purpose::Forecast;
+		request.goal     = errorGoalOf(call.input, call.options, extent);
+		request.diagonal = extent.diagonal;
 	}
 	return request;
 }

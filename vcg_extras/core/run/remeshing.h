@@ -33,7 +33,8 @@ struct Call {
 	const StopRequest*      stop  = nullptr;
 	InputCache*             cache = nullptr; ///< null: no other run uses the input
 	/// The beginning of the whole call, for the times of stages.
-	StageClock::Clock::time_point start = StageClock::Clock::now();
+	StageClock::Clock::time_point start    = StageClock::Clock::now();
+	double                        diagonal = 0; ///< of the whole mesh, if the input is a part
 
 	/// The options for a mesh made of the input with another number of vertices: the same wanted
 	/// size, and the rest of the time.
