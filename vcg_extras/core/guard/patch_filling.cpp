@@ -104,9 +104,9 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 
 std::vector<char> PatchFilling::changed() const
 {
-	std::vector<char> isChanged;
+	std::vector<char> isChanged(mesh().faceNum);
 	for (int f = 0; f < mesh().faceNum; ++f)
-		isChanged.push_back(!refilled_.guarded->isFixedFace(f));
+		isChanged[f] = !refilled_.guarded->isFixedFace(f);
 	return isChanged;
 }
 

@@ -248,6 +248,7 @@ IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, Worker
 {
 	IndexedMesh      mesh = disconnect(surface);
 	std::vector<int> dropped;
+	dropped.reserve(faces.size());
 	for (int f : faces)
 		dropped.push_back(mesh.sourceFace[f]);
 	sortUnique(dropped);

@@ -58,7 +58,7 @@ private:
 	}
 	static std::size_t indexOf(const Cell& c)
 	{
-		return std::size_t((c.x * cellNum + c.y) * cellNum + c.z);
+		return (std::size_t(c.x) * cellNum + c.y) * cellNum + c.z;
 	}
 
 	/// Calls visit(cell) until visit returns false; returns whether all cells were visited.

@@ -747,7 +747,7 @@ std::string Plan::outcomeForError() const
 		return provenText(best_.vertexNum, best_.error, request_.diagonal) + " The search took " +
 			   text(trialNum_) + (trialNum_ == 1 ? " trial." : " trials.");
 	}
-	const std::string missed = missedText(best_, goal, request_.diagonal);
+	std::string missed = missedText(best_, goal, request_.diagonal);
 	if (!request_.options.allowNearest) throw Failure(Status::PromiseBroken, missed);
 	return missed;
 }

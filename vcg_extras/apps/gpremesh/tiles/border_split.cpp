@@ -3,6 +3,7 @@
 #include "border_split.h"
 
 #include <vcg_extras/core/mesh/edge_sides.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -220,7 +221,7 @@ std::vector<Edge> borderEdges(const MeshView& mesh)
 	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
 	std::vector<Edge>      border;
 	const auto             apexOf = [&](const EdgeSide& side) {
-        return mesh.vertexOf(std::size_t(side.halfEdge + (side.halfEdge % 3 == 0 ? 2 : -1)));
+        return mesh.vertexOf(std::size_t(prevInFace(side.halfEdge)));
 	};
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		const auto isRepeated = [&](const EdgeSide& s) {

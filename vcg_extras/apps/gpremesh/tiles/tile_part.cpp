@@ -284,7 +284,7 @@ PartFacts makePart(const TilePlan& plan, const SplitFacts& split, int tile, cons
 				   const RunLimit& limit, const ProgressCallback& progress)
 {
 	if (const auto done = readPart(plan, tile, folder)) return *done;
-	const PartFacts facts = makeAnew(plan, split, tile, folder, limit, progress);
+	PartFacts facts = makeAnew(plan, split, tile, folder, limit, progress);
 	writeJson(folder.partRecord(tile), {{"plan", plan.name},
 										{"vertices", facts.vertexNum},
 										{"faces", facts.faceNum},

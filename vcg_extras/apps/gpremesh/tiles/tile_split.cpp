@@ -10,14 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace gpr::app {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Shares of the work, for even progress.
 constexpr double shareOfVertices = 0.25, shareOfFaces = 0.45;
@@ -469,8 +466,8 @@ SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& 
 {
 	if (const auto record = readRecord(folder.splitRecord(), plan.name)) return factsOf(*record);
 	requireRoom(folder.path(), diskBytesOf(plan));
-	const SplitFacts facts  = Splitter(plan, folder, limit, progress).run();
-	Json             record = {{"plan", plan.name}, {"tiles", Json::array()}};
+	SplitFacts facts  = Splitter(plan, folder, limit, progress).run();
+	Json       record = {{"plan", plan.name}, {"tiles", Json::array()}};
 	for (const SplitFacts::Tile& tile : facts.tiles)
 		record["tiles"].push_back(jsonOf(tile));
 	writeJson(folder.splitRecord(), record);
