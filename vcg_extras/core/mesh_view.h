@@ -131,6 +131,8 @@ struct TriangleMesh {
 inline TriangleMesh triangleMeshOf(const MeshView& mesh)
 {
 	TriangleMesh copy;
+	copy.positions.reserve(mesh.vertexNum);
+	copy.triangles.reserve(3 * mesh.faceNum);
 	for (std::size_t v = 0; v < mesh.vertexNum; ++v)
 		copy.positions.push_back(mesh.position(v));
 	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c)

@@ -96,8 +96,7 @@ void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, M
 	}
 	const RemeshOptions inside = optionsInside(call.options);
 	const MeshView      view   = part.view();
-	const double diagonal = extentOf(call.input).diagonal; // lengths in percent are of the whole
-	run({view, inside, call.progress, call.stop, cache, call.start, diagonal}, out);
+	run({view, inside, call.progress, call.stop, cache, call.start, &call.input}, out);
 	if (run != prepareInput) out = joinPart(call.input, part, call.options, std::move(out));
 }
 

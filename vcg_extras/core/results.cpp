@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "results.h"
 
+#include <iterator>
+
 namespace gpr {
 
 const char* statusName(Status status)
@@ -15,6 +17,7 @@ const char* statusName(Status status)
 									 "cancelled",
 									 "out of time",
 									 "internal error"}; // by Status
+	static_assert(std::size(names) == std::size_t(Status::InternalError) + 1);
 	return names[int(status)];
 }
 

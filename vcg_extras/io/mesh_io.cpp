@@ -38,6 +38,7 @@ constexpr FormatRow formats[] = {
 	{".glb", "glTF", "", always},
 	{".gltf", "glTF", "TinyGLTF (Debian: libtinygltf-dev)", hasGltfText},
 	{".3mf", "3MF", "lib3mf (Debian: lib3mf-dev)", hasThreeMf}};
+static_assert(std::size(formats) == std::size_t(MeshFormat::ThreeMf) + 1);
 
 /// The row of a path's extension, or the end.
 const FormatRow* rowOf(const std::string& path)

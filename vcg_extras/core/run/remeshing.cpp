@@ -68,7 +68,7 @@ Request requestOf(const Call& call)
 	const TargetMode mode = call.options.targetMode;
 	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
 		MeshExtent extent = extentOf(call.input);
-		if (call.diagonal > 0) extent.diagonal = call.diagonal;
+		if (call.whole != nullptr) extent.diagonal = extentOf(*call.whole).diagonal;
 		request.purpose  = Purpose::Forecast;
 		request.goal     = errorGoalOf(call.input, call.options, extent);
 		request.diagonal = extent.diagonal;

@@ -33,8 +33,10 @@ struct Call {
 	const StopRequest*      stop  = nullptr;
 	InputCache*             cache = nullptr; ///< null: no other run uses the input
 	/// The beginning of the whole call, for the times of stages.
-	StageClock::Clock::time_point start    = StageClock::Clock::now();
-	double                        diagonal = 0; ///< of the whole mesh, if the input is a part
+	StageClock::Clock::time_point start = StageClock::Clock::now();
+	/// The mesh that the input is a part of; null: the input is no part. Lengths in percent are of
+	/// the whole.
+	const MeshView* whole = nullptr;
 
 	/// The options for a mesh made of the input with another number of vertices: the same wanted
 	/// size, and the rest of the time.

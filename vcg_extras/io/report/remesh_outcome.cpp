@@ -4,6 +4,32 @@
 
 namespace gpr::app {
 
+namespace {
+
+ExitCode exitCodeOf(Status status)
+{
+	switch (status) {
+	case Status::Ok:
+		return ExitCode::Done;
+	case Status::BadOptions:
+		return ExitCode::Usage;
+	case Status::UnusableInput:
+		return ExitCode::BadInput;
+	case Status::CountTooSmall:
+	case Status::PromiseBroken:
+		return ExitCode::PromiseBroken;
+	case Status::Cancelled:
+	case Status::OutOfTime:
+		return ExitCode::Stopped;
+	case Status::OutOfMemory:
+	case Status::InternalError:
+		break;
+	}
+	return ExitCode::Failure;
+}
+
+} // namespace
+
 std::string sentenceOf(const Outcome& outcome)
 {
 	if (outcome.message.empty()) return "the remeshing failed without a sentence.";
@@ -12,12 +38,8 @@ std::string sentenceOf(const Outcome& outcome)
 
 void requireDone(const Outcome& outcome)
 {
-	constexpr ExitCode codes[] = {
-		ExitCode::Done,          ExitCode::Usage,         ExitCode::BadInput,
-		ExitCode::PromiseBroken, ExitCode::PromiseBroken, ExitCode::Failure,
-		ExitCode::Stopped,       ExitCode::Stopped,       ExitCode::Failure}; // by Status
 	if (outcome.status != Status::Ok)
-		throw AppError(codes[int(outcome.status)], sentenceOf(outcome));
+		throw AppError(exitCodeOf(outcome.status), sentenceOf(outcome));
 }
 
 } // namespace gpr::app

@@ -7,6 +7,7 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

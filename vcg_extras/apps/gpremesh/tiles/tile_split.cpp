@@ -455,10 +455,12 @@ double SplitFacts::area() const
 
 bool SplitFacts::isSoup() const
 {
-	const auto vertexNum = [](std::uint64_t sum, const Tile& tile) { return sum + tile.vertexNum; };
-	const auto faceNum   = [](std::uint64_t sum, const Tile& tile) { return sum + tile.faceNum; };
-	return std::accumulate(tiles.begin(), tiles.end(), std::uint64_t(0), vertexNum) ==
-		   3 * std::accumulate(tiles.begin(), tiles.end(), std::uint64_t(0), faceNum);
+	std::uint64_t vertexNum = 0, faceNum = 0;
+	for (const Tile& tile : tiles) {
+		vertexNum += tile.vertexNum;
+		faceNum += tile.faceNum;
+	}
+	return vertexNum == 3 * faceNum;
 }
 
 SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
