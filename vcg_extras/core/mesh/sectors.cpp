@@ -100,6 +100,8 @@ int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
 	return std::max(1, int(std::lround(angle / (60 * radians))));
 }
 
+} // namespace
+
 int correctedValence(const HalfEdgeMesh& m, int v)
 {
 	if (m.outgoing[v] < 0) return 6;
@@ -109,8 +111,6 @@ int correctedValence(const HalfEdgeMesh& m, int v)
 				  [&](int first, int faceNum) { n += faceNum - wantedFaces(m, first, faceNum); });
 	return n;
 }
-
-} // namespace
 
 bool isFlat(const HalfEdgeMesh& m, int v)
 {

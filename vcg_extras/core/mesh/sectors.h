@@ -22,9 +22,12 @@ bool isFlat(const HalfEdgeMesh& mesh, int v);
 /// Marks flat vertices. Moving other vertices would round off sharp features.
 Buffer<char> findFlatVertices(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// Number of faces at every vertex, corrected so that 6 is ideal everywhere: the ideal of a sector,
-/// or of the star of a border vertex, is the number of 60° angles in its angle, and at least 1. 6
-/// for dead vertices.
+/// Number of faces at a vertex, corrected so that 6 is ideal everywhere: the ideal of a sector, or
+/// of the star of a border vertex, is the number of 60° angles in its angle, and at least 1. 6 for
+/// dead vertices.
+int correctedValence(const HalfEdgeMesh& mesh, int v);
+
+/// The corrected valences of all vertices.
 Buffer<int> correctedValences(const HalfEdgeMesh& mesh, Workers& workers);
 
 // The energy Σ(valence - 6)² measures the distance of a mesh from a lattice of equilateral

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -57,6 +58,13 @@ std::int64_t livingFaceNum(const HalfEdgeMesh& m)
 	return num;
 }
 
+/// The facts of a vertex that decide the order of operations.
+struct Facts {
+	float size    = 1; ///< local size
+	int   valence = 6; ///< corrected
+	bool  isFlat  = false;
+};
+
 class CountCorrector {
 public:
 	CountCorrector(const Surface& surface, const BoundaryCurves& boundary,
@@ -99,10 +107,9 @@ private:
 	std::int64_t          wanted_;
 	std::int64_t          num_; ///< of the result now
 	Care                  care_ = Care::FlatGroundOnly;
-	Buffer<int>           valence_; ///< corrected
-	Buffer<char>          flat_;
-	Buffer<float>         size_; ///< local size at each vertex; empty: equal sizes
-	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
+	std::vector<Facts>    facts_; ///< per vertex
+	std::vector<char>     used_;  ///< vertices whose surroundings changed in this round
+	std::vector<int>      stale_; ///< vertices whose facts changed in this round
 	EditScratch           scratch_;
 	const Acceptance      limits_ = acceptanceOf(Driver::Count);
 
@@ -126,12 +133,28 @@ private:
 	}
 	bool fits(int h) const { return std::abs(wanted_ - num_) >= stepOf(h); }
 
+	/// Only facts that changed are found anew: a mesh of many pieces needs hundreds of rounds.
 	void beginRound()
 	{
-		flat_    = findFlatVertices(m_, workers_);
-		size_    = sizesOf(surface_, r_, workers_);
-		valence_ = correctedValences(m_, workers_);
+		const int known = int(facts_.size());
+		facts_.resize(std::size_t(m_.vertexNum));
+		workers_.forEach(std::size_t(m_.vertexNum - known), [&](int i) { findFacts(known + i); });
+		sortUnique(stale_); // no two threads find the facts of the same vertex
+		workers_.forEach(stale_.size(), [&](int i) { findFacts(stale_[i]); });
+		stale_.clear();
 		used_.assign(m_.vertexNum, 0);
+	}
+
+	void findFacts(int v)
+	{
+		facts_[v] = {sizeAt(surface_, r_.vertex[v].point), correctedValence(m_, v), isFlat(m_, v)};
+	}
+
+	/// The star of v changed.
+	void use(int v)
+	{
+		used_[v] = 1;
+		stale_.push_back(v);
 	}
 
 	/// The operations of a round, in order. Expensive operations at the end are cut off, because
@@ -140,17 +163,19 @@ private:
 	{
 		const std::int64_t left = leftNum();
 		// With topology only, the order must not depend on the wanted number.
-		const std::size_t most =
-			isByTopology() ? all.size()
-						   : std::min<std::size_t>(all.size(), std::size_t(4 * left + 64));
-		std::partial_sort(all.begin(), all.begin() + most, all.end());
-		all.resize(most);
-		if (care_ == Care::FlatGroundOnly && !all.empty()) {
-			const std::size_t few  = std::min<std::size_t>(all.size() - 1, std::size_t(left / 8));
-			const int         last = std::max(0, all[few].energy);
-			while (all.back().energy > last)
-				all.pop_back();
+		const std::size_t most = std::size_t(4 * left + 64);
+		if (!isByTopology() && all.size() > most) {
+			std::nth_element(all.begin(), all.begin() + most, all.end());
+			all.resize(most);
 		}
+		if (care_ == Care::FlatGroundOnly && !all.empty()) {
+			const auto few = all.begin() + std::min(all.size() - 1, std::size_t(left / 8));
+			std::nth_element(all.begin(), few, all.end());
+			const int  last   = std::max(0, few->energy);
+			const auto isOver = [&](const CountChange& op) { return op.energy > last; };
+			all.erase(std::remove_if(all.begin(), all.end(), isOver), all.end());
+		}
+		std::sort(all.begin(), all.end());
 		return std::move(all);
 	}
 
@@ -159,9 +184,11 @@ private:
 
 	bool isUsed(int v) const { return v >= int(used_.size()) || used_[v]; }
 
+	int valence(int v) const { return facts_[v].valence; }
+
 	bool allFlat(int a, int b, int c, int d) const
 	{
-		return flat_[a] && flat_[b] && flat_[c] && flat_[d];
+		return facts_[a].isFlat && facts_[b].isFlat && facts_[c].isFlat && facts_[d].isFlat;
 	}
 
 	/// The length of an edge over the local size.
@@ -169,7 +196,7 @@ private:
 	{
 		const int   a = m_.origin[h], b = m_.target(h);
 		const float straight = length(m_.position[b] - m_.position[a]);
-		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
+		return straight / (0.5f * (facts_[a].size + facts_[b].size));
 	}
 
 	/// The operations that find(h, mostEnergy) returns for all half-edges, up to that energy.
@@ -273,12 +300,12 @@ private:
 		for (int bit = 0; bit < 4; ++bit) {
 			if (!(pattern >> bit & 1)) continue;
 			const int y = beyond(h, bit);
-			if (y < 0 || !flat_[y]) return false;
+			if (y < 0 || !facts_[y].isFlat) return false;
 		}
 		const int lostW = !!(pattern & WC) + !!(pattern & WD);
 		const int lostX = !!(pattern & XC) + !!(pattern & XD);
-		return (lostW == 0 || valence_[m_.origin[h]] - lostW >= 5) &&
-			   (lostX == 0 || valence_[m_.target(h)] - lostX >= 5);
+		return (lostW == 0 || valence(m_.origin[h]) - lostW >= 5) &&
+			   (lostX == 0 || valence(m_.target(h)) - lostX >= 5);
 	}
 
 	/// The change of Σ(valence - 6)² by a split of an edge, separately for each vertex involved.
@@ -309,13 +336,13 @@ private:
 
 	SplitEnergies energiesOf(int h) const
 	{
-		const auto by = [](int valence, int more) {
-			return squaredDefect(valence + more) - squaredDefect(valence);
+		const auto by = [](int before, int more) {
+			return squaredDefect(before + more) - squaredDefect(before);
 		};
 		SplitEnergies e;
 		for (int k = 0; k < 2; ++k) {
 			const int side = k == 0 ? h : m_.opposite[h];
-			const int end = valence_[m_.origin[side]], apex = valence_[m_.apex(side)];
+			const int end = valence(m_.origin[side]), apex = valence(m_.apex(side));
 			for (int less = 0; less < 3; ++less)
 				e.ends[k][less] = by(end, -less);
 			e.apexes[k][0] = by(apex, 1);
@@ -323,7 +350,7 @@ private:
 		}
 		for (int k = 0; k < 4; ++k) {
 			const int y = beyond(h, k);
-			e.beyond[k] = y < 0 ? 0 : by(valence_[y], 1); // no flip is allowed there
+			e.beyond[k] = y < 0 ? 0 : by(valence(y), 1); // no flip is allowed there
 		}
 		return e;
 	}
@@ -348,7 +375,7 @@ private:
 			if (op.pattern >> bit & 1) flipAfterSplit(edges[bit]);
 		}
 		for (int u : touched)
-			used_[u] = 1;
+			use(u);
 		return true;
 	}
 
@@ -389,8 +416,10 @@ private:
 		Vec3f              place;
 		const ResultVertex middle = middleOfBorderEdge(h, place);
 		if (place == m_.position[a] || place == m_.position[b]) return false;
+		stale_.push_back(m_.apex(h));
 		splitBorderEdge(m_, h, append(middle, place));
-		used_[a] = used_[b] = 1;
+		use(a);
+		use(b);
 		return true;
 	}
 
@@ -469,14 +498,13 @@ private:
 
 	std::optional<CountChange> findCollapse(int h) const
 	{
-		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			constexpr int       energy = 1000; // after inner edges
 			const ResultVertex& v      = r_.vertex[m_.origin[h]];
 			// A junction needs the vertex on every sheet.
 			const bool isHeld = v.isPinned || (m_.meetsAtPlaces && v.isShared) ||
 								(v.isCorner && care_ == Care::TopologyAndCorners);
-			if (isByTopology() && !isHeld) return CountChange{energy, rank, h, 0};
+			if (isByTopology() && !isHeld) return CountChange{energy, relativeLength(h), h, 0};
 			return {};
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
@@ -484,12 +512,12 @@ private:
 		const bool seenFromOtherSide = isFree(r_, b) && m_.opposite[h] < h;
 		if (seenFromOtherSide && !isByTopology()) return {};
 		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return {};
-		if (!isByTopology() && (valence_[c] <= 4 || valence_[d] <= 4)) return {};
-		const int energy = squaredDefect(valence_[a] + valence_[b] - 4) +
-						   squaredDefect(valence_[c] - 1) + squaredDefect(valence_[d] - 1) -
-						   squaredDefect(valence_[a]) - squaredDefect(valence_[b]) -
-						   squaredDefect(valence_[c]) - squaredDefect(valence_[d]);
-		return CountChange{energy, rank, h, 0};
+		if (!isByTopology() && (valence(c) <= 4 || valence(d) <= 4)) return {};
+		const int energy = squaredDefect(valence(a) + valence(b) - 4) +
+						   squaredDefect(valence(c) - 1) + squaredDefect(valence(d) - 1) -
+						   squaredDefect(valence(a)) - squaredDefect(valence(b)) -
+						   squaredDefect(valence(c)) - squaredDefect(valence(d));
+		return CountChange{energy, relativeLength(h), h, 0};
 	}
 
 	bool ringIsUnused(int v) const
@@ -499,8 +527,8 @@ private:
 
 	void markRing(int v)
 	{
-		used_[v] = 1;
-		forEachNeighbour(m_, v, [&](int w) { used_[w] = 1; });
+		use(v);
+		forEachNeighbour(m_, v, [&](int w) { use(w); });
 	}
 
 	bool collapseInside(int h)
