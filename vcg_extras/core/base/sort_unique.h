@@ -17,6 +17,20 @@ void sortUnique(std::vector<T>& list)
 	list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+/// As sortUnique, for numbers in [0, end). Cost: linear if there are many numbers.
+inline void sortUniqueBelow(int end, std::vector<int>& list)
+{
+	constexpr std::size_t fewest = 16; // a sort takes longer than a pass over 16 marks a number
+	if (fewest * list.size() < std::size_t(end)) return sortUnique(list);
+	std::vector<char> isIn(std::size_t(end), 0);
+	for (int i : list)
+		isIn[i] = 1;
+	list.clear();
+	for (int i = 0; i < end; ++i) {
+		if (isIn[i]) list.push_back(i);
+	}
+}
+
 /// The place of a value in a sorted list; -1 if the list has no such value. Cost: O(log n).
 template <class T>
 int placeIn(const std::vector<T>& sorted, const T& value)

@@ -69,9 +69,13 @@ private:
 		for (std::size_t i = 0; i < nearby; ++i, at = (at + 1) & mask) {
 			if (entry_[at].isFreeOr(edge)) return entry_[at];
 		}
-		at = std::size_t((edge * golden) >> 32) & mask;
+		// In steps that differ from edge to edge: step by step, a search would have to pass the
+		// whole dense part of the table, where the edges beside their smaller ends lie.
+		const std::uint64_t hash = edge * golden;
+		const std::size_t   step = std::size_t(hash >> 16) | 1; // odd: reaches all entries
+		at                       = std::size_t(hash >> 32) & mask;
 		while (!entry_[at].isFreeOr(edge))
-			at = (at + 1) & mask;
+			at = (at + step) & mask;
 		return entry_[at];
 	}
 };
