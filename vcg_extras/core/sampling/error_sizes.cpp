@@ -34,6 +34,8 @@ constexpr std::size_t centresTogether = 8;
 constexpr std::size_t guessingDiskNum = 1500, noiseVertexNum = 8000;
 /// Least ε over the noise: a disk of noise has about four deviations from end to end.
 constexpr float noiseFactor = 2.5f;
+/// Grading adds small triangles, and ε usually grows for them by this factor.
+constexpr float usualRaise = 1.35f;
 /// If normals turn by the angle α from their mean, a disk rises by half of its radius times sin α
 /// on a ridge, and by a quarter on round ground. In practice 1.6 misses one to three bent disks of
 /// a hundred, only slightly bent, and saves three of four extents.
@@ -103,20 +105,22 @@ public:
 			});
 		}
 	}
-	/// Adds the edges inside the ball, each once, from its nearer end. Only the extent of smaller
-	/// disks needs inner edges.
-	void collectInnerEdges()
+	/// Collects all edges of the members from `first` to before `end`, each once, from its nearer
+	/// end: the extent of a smaller disk needs the edges of its own members only.
+	void collectEdges(std::size_t first, std::size_t end)
 	{
 		const Vec3f middle = mesh_.position[members_[0].vertex];
-		for (const Member& from : members_) {
+		for (std::size_t i = first; i < end; ++i) {
+			const Member& from = members_[i];
 			forEachNeighbour(mesh_, from.vertex, [&](int w) {
 				const Vec3f to       = mesh_.position[w] - middle;
 				const float distance = squaredLength(to);
-				if (distance > from.squaredDistance && distance <= squaredRadius_)
+				if (distance > from.squaredDistance)
 					edges_.push_back({from.place, to, from.squaredDistance, distance});
 			});
 		}
 	}
+	void forgetEdges() { edges_.clear(); }
 	void sortByDistance()
 	{
 		std::sort(members_.begin() + 1, members_.end(), [](const Member& a, const Member& b) {
@@ -139,7 +143,6 @@ public:
 		// An edge that leaves has a member at its other end: most such edges end between the
 		// heights so far.
 		for (const Edge& e : edges_) {
-			if (e.squaredTo <= squaredRadius_) continue;
 			const float beyond = dot(e.to, direction);
 			if (beyond >= least && beyond <= most) continue;
 			const float height = heightOfCut(e, squaredRadius_, direction, beyond);
@@ -148,14 +151,12 @@ public:
 		}
 		return 0.5f * (most - least);
 	}
-	/// Half of the extent along a direction, of the edges within a radius up to the collected
-	/// radius.
+	/// Half of the extent along a direction, of the disk whose members had their edges collected.
 	float halfExtent(float radius, const Vec3f& direction) const
 	{
 		const float squared = radius * radius;
 		float       least = 0, most = 0;
 		for (const Edge& e : edges_) {
-			if (e.squaredFrom > squared) continue;
 			float height = dot(e.to, direction);
 			if (e.squaredTo > squared) height = heightOfCut(e, squared, direction, height);
 			least = std::min(least, height);
@@ -174,7 +175,7 @@ private:
 	const HalfEdgeMesh& mesh_;
 	float               squaredRadius_ = 0;
 	std::vector<Member> members_;
-	std::vector<Edge>   edges_;
+	std::vector<Edge>   edges_; ///< that leave the disk; or as collectEdges
 	/// A bit for each vertex of the mesh. Vertices are in spatial order, so the bits of a disk lie
 	/// in few lines of the cache.
 	std::vector<bool> isMember_;
@@ -232,7 +233,7 @@ public:
 	/// flat than `enough` is not measured and gets the value before.
 	Flatness ofAll(float enough)
 	{
-		disk_.collectInnerEdges();
+		disk_.forgetEdges();
 		disk_.sortByDistance();
 		const std::vector<Disk::Member>& members = disk_.members();
 		Flatness                         flatness;
@@ -240,11 +241,14 @@ public:
 		std::size_t                      num   = 0;
 		float                            soFar = 0;
 		for (int k = 0; k < radiusNum; ++k) {
-			const float squared = radii_[k] * radii_[k];
-			while (num < members.size() && members[num].squaredDistance <= squared)
-				sum += ring_[members[num++].vertex].normal;
-			if (soFar <= enough)
+			if (soFar <= enough) {
+				const float       squared = radii_[k] * radii_[k];
+				const std::size_t before  = num;
+				while (num < members.size() && members[num].squaredDistance <= squared)
+					sum += ring_[members[num++].vertex].normal;
+				disk_.collectEdges(before, num);
 				soFar = std::max(soFar, disk_.halfExtent(radii_[k], normalized(sum)));
+			}
 			flatness[k] = soFar;
 		}
 		return flatness;
@@ -400,13 +404,14 @@ public:
 	{
 	}
 
+	/// About the ε of run(), from a part of the disks and without grading.
+	float roughEpsilon() { return std::max(leastEpsilon(), usualRaise * guessedEpsilon()); }
+
 	ErrorSizes run()
 	{
-		// Grading adds small triangles, and ε has to grow for them: usually by 1.35. With little to
-		// grade ε may shrink, as the disks lie at the sharpest places.
-		constexpr float leastRaise = 0.8f, fewRaise = 1, usualRaise = 1.35f, mostRaise = 2.2f;
-		const float     flat  = guessedEpsilon();
-		const float     noise = noiseFactor * noiseLevel();
+		// With little to grade ε may shrink, as the disks lie at the sharpest places.
+		constexpr float leastRaise = 0.8f, fewRaise = 1, mostRaise = 2.2f;
+		const float     flat = guessedEpsilon(), noise = leastEpsilon();
 		const float     least = std::max(noise, leastRaise * flat);
 		const float     most  = std::max(noise, mostRaise * flat);
 		const float     few   = std::max(noise, fewRaise * flat);
@@ -494,19 +499,18 @@ private:
 		return ofMedian * *middle;
 	}
 
+	float leastEpsilon() { return noiseFactor * noiseLevel(); }
+
 	/// A first guess of ε, from a part of the disks.
 	float guessedEpsilon()
 	{
 		const std::size_t       step = std::max<std::size_t>(1, centre_.size() / guessingDiskNum);
 		const std::size_t       num  = centre_.size() / step;
 		const std::vector<Bent> some =
-			workers_.collect<Bent>(num, [&](std::size_t begin, std::size_t end, auto& out) {
-				FlatnessGauge gauge(mesh_, ring_, radii_);
-				for (std::size_t i = begin; i < end; ++i) {
-					const int v = centre_[i * step].vertex;
-					gauge.ofLargest(v, 0);
-					out.push_back({v, gauge.ofAll(request_.even)});
-				}
+			gather(num, [&](std::size_t i, FlatnessGauge& gauge, std::vector<Bent>& out) {
+				const int v = centre_[i * step].vertex;
+				gauge.ofLargest(v, 0);
+				out.push_back({v, gauge.ofAll(request_.even)});
 			});
 		return epsilonFor(some, num, wanted_);
 	}
@@ -522,10 +526,11 @@ private:
 		return diskNum > 0 ? more / double(diskNum) : 0;
 	}
 	/// The ε that gives the wanted number of small triangles.
-	float epsilonFor(const std::vector<Bent>& bent, std::size_t diskNum, double wanted) const
+	float epsilonFor(const std::vector<Bent>& bent, std::size_t diskNum, double wanted)
 	{
 		float low = 0, high = request_.even;
 		for (int halving = 0; halving < 20; ++halving) {
+			workers_.poll();
 			const float middle                                            = 0.5f * (low + high);
 			(smallTriangles(bent, diskNum, middle) > wanted ? low : high) = middle;
 		}
@@ -538,18 +543,32 @@ private:
 	{
 		const float sine     = sinePerSlope * least / radii_.back();
 		const float flatTurn = sine * sine;
-		const auto  search   = [&](std::size_t begin, std::size_t end, auto& out) {
-            FlatnessGauge gauge(mesh_, ring_, radii_);
-            for (std::size_t i = begin; i < end; ++i) {
-                if (centre_[i].squaredTurn < flatTurn) continue;
-                const int v = centre_[i].vertex;
-                if (gauge.ofLargest(v, least) > least) out.push_back({v, gauge.ofAll(most)});
-            }
-		};
-		// A gauge clears a bit for each vertex, so large meshes have few pieces, too.
-		constexpr std::size_t pieces = 64;
-		const std::size_t     grain  = std::max<std::size_t>(1, centre_.size() / pieces);
-		bent_                        = workers_.collect<Bent>(centre_.size(), search, grain);
+		bent_                = gather(centre_.size(),
+									  [&](std::size_t i, FlatnessGauge& gauge, std::vector<Bent>& out) {
+                           if (centre_[i].squaredTurn < flatTurn) return;
+                           const int v = centre_[i].vertex;
+                           if (gauge.ofLargest(v, least) > least)
+                               out.push_back({v, gauge.ofAll(most)});
+                       });
+	}
+
+	/// The disks that measure(i, gauge, out) appends for i in [0, num), in order.
+	template <class Measure>
+	std::vector<Bent> gather(std::size_t num, const Measure& measure)
+	{
+		constexpr std::size_t grain = 16; // disks may be large
+		// A gauge has a bit for each vertex, so each thread keeps its gauge.
+		std::vector<FlatnessGauge>     gauges(std::size_t(workers_.threadNum()),
+											  FlatnessGauge(mesh_, ring_, radii_));
+		std::vector<std::vector<Bent>> part((num + grain - 1) / grain);
+		workers_.forTasks(part.size(), [&](std::size_t p, int worker) {
+			for (std::size_t i = p * grain; i < std::min(num, (p + 1) * grain); ++i)
+				measure(i, gauges[std::size_t(worker)], part[p]);
+		});
+		std::vector<Bent> all;
+		for (const std::vector<Bent>& own : part)
+			all.insert(all.end(), own.begin(), own.end());
+		return all;
 	}
 
 	/// Makes the sizes for an ε. Every other vertex has the largest size.
@@ -627,7 +646,9 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 	for (int i = 0; i < steps; ++i) {
 		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
 		const ErrorSizeRequest request{even, range.largest * even, range.slope};
-		const float            flat = SizeSearch(mesh, ring, request, workers).run().epsilon;
+		SizeSearch             search(mesh, ring, request, workers);
+		const bool             isLast = i + 1 == steps; // the steps before only lead near
+		const float            flat   = isLast ? search.run().epsilon : search.roughEpsilon();
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
 		num = std::clamp(num, 4.0, double(most));
 	}
