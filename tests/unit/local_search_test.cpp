@@ -72,19 +72,27 @@ TEST(FacesInSpace, FindsFacesWhereTheyAreAfterAnyNumberOfChanges)
 	Workers       workers(2, nullptr);
 	OnSurface     on(grid(40, 40));
 	HalfEdgeMesh& m = on.result.mesh;
-	FacesInSpace  space(m, m.faceNum, workers);
-	const int     half = m.vertexNum / 2; // more faces than a sixteenth, and than 256
-	for (int v = 0; v < half; ++v) {
-		m.position[v].z += 1;
-		space.noteChanged(facesRound(m, {v}));
-	}
-	EXPECT_LT(space.changedNum(), std::size_t(m.faceNum / 4)) << "the boxes were made anew";
-	for (int f = 0; f < m.faceNum; f += 7) {
-		const Box<float>       box  = boxOfFace(m, f);
-		const std::vector<int> near = space.meeting(box);
-		for (int g = 0; g < m.faceNum; ++g) {
-			if (!boxOfFace(m, g).meets(box)) continue;
-			ASSERT_TRUE(std::binary_search(near.begin(), near.end(), g)) << f << " and " << g;
+	reserve(m, m.vertexNum + 10, m.faceNum + 20);
+	for (const int changeNum : {5, 40, m.vertexNum / 2}) { // the tree is made anew for the last
+		FacesInSpace space(m, workers);
+		for (int v = 0; v < changeNum; ++v) {
+			m.position[v].z += 1;
+			space.follow(facesRound(m, {v}));
+		}
+		const int inside = 20 * 41 + 20, added = m.vertexNum++; // in the middle of the grid
+		splitEdge(m, m.outgoing[inside], added);
+		m.position[added] = m.position[inside] + Vec3f{0, 0, 3};
+		space.follow(facesRound(m, {added}));
+		for (int f = 0; f < m.faceNum; f += f < m.faceNum - 9 ? 7 : 1) {
+			const Box<float>       box  = boxOfFace(m, f);
+			const std::vector<int> near = space.near(box);
+			for (int g = 0; g < m.faceNum; ++g) {
+				const auto num = std::count(near.begin(), near.end(), g);
+				if (boxOfFace(m, g).meets(box))
+					ASSERT_EQ(num, 1) << f << " and " << g;
+				else
+					ASSERT_LE(num, 1) << f << " and " << g;
+			}
 		}
 	}
 }
@@ -409,6 +417,21 @@ TEST(LocalSearch, MovesNoFaceThroughAnother)
 	ASSERT_FALSE(findTouchingPairs(on.m(), on.workers).empty()) << "else nothing is tested";
 
 	OnSurface   guarded(archOverLeaf());
+	const float way = drawTop(guarded, true);
+	EXPECT_GT(way, 0) << "as far as it may";
+	EXPECT_LT(way, free);
+	EXPECT_TRUE(findTouchingPairs(guarded.m(), guarded.workers).empty());
+}
+
+/// With thousands of faces near a face, each patch looks for its own neighbours.
+TEST(LocalSearch, MovesNoFaceThroughAnotherInACrowd)
+{
+	const TriangleMesh crowd = shifted(grid(50, 50, 0.01, 0.01), {0, 2, 1.1});
+	OnSurface          on(joined(archOverLeaf(), crowd));
+	const float        free = drawTop(on, false);
+	ASSERT_FALSE(findTouchingPairs(on.m(), on.workers).empty()) << "else nothing is tested";
+
+	OnSurface   guarded(joined(archOverLeaf(), crowd));
 	const float way = drawTop(guarded, true);
 	EXPECT_GT(way, 0) << "as far as it may";
 	EXPECT_LT(way, free);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_trials.h"
 
-#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/surface_gap.h>
@@ -26,42 +25,10 @@ constexpr float settleShare = 0.995f;
 /// places of a step; testing a pair of faces for an intersection; measuring the gap of a face. By
 /// measurement, a unit of work takes 8 to 40 ns on all models.
 constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3, workOfGap = 15;
-/// With more changed faces, and more than a sixteenth of all, new boxes cost less than looks at
-/// each changed face.
-constexpr std::size_t fewChanged = 256;
 /// Moves of a vertex with one step length.
 constexpr int maxMoves = 4;
 
 } // namespace
-
-// ---- faces in space
-
-FacesInSpace::FacesInSpace(const HalfEdgeMesh& mesh, int faceRoom, Workers& workers) :
-		m_(mesh), workers_(workers), boxes_(mesh, workers), isChanged_(std::size_t(faceRoom), 0)
-{
-}
-
-std::vector<int> FacesInSpace::meeting(const Box<float>& box) const
-{
-	std::vector<int> faces = boxes_.meeting(box);
-	for (int f : changed_) {
-		if (!isDeadFace(m_, f) && boxOfFace(m_, f).meets(box)) faces.push_back(f);
-	}
-	sortUnique(faces);
-	return faces;
-}
-
-void FacesInSpace::noteChanged(const std::vector<int>& faces)
-{
-	for (int f : faces) {
-		if (!isChanged_[f]) changed_.push_back(f);
-		isChanged_[f] = 1;
-	}
-	if (changed_.size() <= std::max(fewChanged, std::size_t(m_.faceNum / 16))) return;
-	boxes_ = FaceBoxes(m_, workers_);
-	changed_.clear();
-	std::fill(isChanged_.begin(), isChanged_.end(), char(0));
-}
 
 // ---- trials
 
@@ -69,7 +36,6 @@ void FaceTrials::improve(int f)
 {
 	for (int change = 0; change < maxChanges; ++change) {
 		if (isDeadFace(m_, f) || !goal_.isBad(f)) return;
-		if (room_.space != nullptr) findNear(f);
 		--room_.attempts;
 		hasFailed_ = !(goal_.takesFirst ? takeEach(f) : takeBest(f));
 		if (hasFailed_ || isExhausted()) return;
@@ -304,22 +270,12 @@ bool FaceTrials::keepsWorst(const std::vector<int>& faces, const Worst& before)
 
 int FaceTrials::contactNum(const std::vector<int>& faces)
 {
-	std::int64_t pairs = 0;
-	const int    num   = countTouchingPairs(m_, faces, near_, &pairs);
-	room_.work -= workOfPair * pairs + std::int64_t(near_.size());
+	room_.workers.poll();
+	const std::vector<int> near  = room_.space->near(boxOfFaces(m_, faces));
+	std::int64_t           pairs = 0;
+	const int              num   = countTouchingPairs(m_, faces, near, &pairs);
+	room_.work -= workOfPair * pairs + std::int64_t(near.size());
 	return num;
-}
-
-/// Finds the faces that a patch round f may intersect.
-void FaceTrials::findNear(int f)
-{
-	const float margin = editor_.meanEdge(m_.origin[3 * f]);
-	const Vec3f reach{margin, margin, margin};
-	Box<float>  box = boxOfFaces(m_, facesRound(m_, ringsRound(f, 1)));
-	box.low         = box.low - reach;
-	box.high        = box.high + reach;
-	near_           = room_.space->meeting(box);
-	room_.work -= std::int64_t(room_.space->changedNum() + near_.size());
 }
 
 /// The corners of f and the vertices within ringNum rings round the corners.
@@ -456,7 +412,7 @@ void FaceTrials::keep(const std::vector<Operation>& ops)
 	for (std::size_t i = 0; room_.assignment != nullptr && i < faces.size(); ++i) {
 		if (isDeadFace(m_, faces[i])) room_.assignment->transfer(faces[i], triangles[i], m_, now);
 	}
-	if (room_.space != nullptr) room_.space->noteChanged(now);
+	if (room_.space != nullptr) room_.space->follow(now);
 	kept_.push_back({ops, patch});
 }
 

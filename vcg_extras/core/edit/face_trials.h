@@ -15,29 +15,11 @@
 
 namespace gpr {
 
-/// The faces of a mesh by their place, while the mesh changes.
-class FacesInSpace {
-public:
-	FacesInSpace(const HalfEdgeMesh& mesh, int faceRoom, Workers& workers);
-
-	/// The faces whose boxes meet a box; ascending.
-	std::vector<int> meeting(const Box<float>& box) const;
-	void             noteChanged(const std::vector<int>& faces);
-	std::size_t      changedNum() const { return changed_.size(); }
-
-private:
-	const HalfEdgeMesh& m_;
-	Workers&            workers_;
-	FaceBoxes           boxes_;
-	std::vector<int>    changed_;   ///< since boxes_ was made
-	std::vector<char>   isChanged_; ///< per face
-};
-
 /// What trials may use and change. Trials of several faces may run at the same time if these have
 /// different claims.
 struct TrialRoom {
 	PatchEditor&  editor;
-	Workers&      workers;                ///< polled by pairs of operations only, which run alone
+	Workers&      workers;                ///< polled by trials that run alone: pairs, contacts
 	Assignment*   assignment;             ///< null: no limit on distances
 	FacesInSpace* space;                  ///< null: contacts are not looked for
 	const Claims* claims;                 ///< null if no search takes several faces
@@ -104,7 +86,6 @@ private:
 	PatchEditor&        editor_;
 	const HalfEdgeMesh& m_;
 	const Goal&         goal_;
-	std::vector<int>    near_; ///< faces within reach of the patch
 	std::vector<Kept>   kept_;
 	bool                hasFailed_ = false;
 
@@ -143,9 +124,8 @@ private:
 	bool moveToBest(int v);
 	bool stepFrom(int v, float reach, float& cost);
 
-	/// The number of touching pairs with a face of `faces` (ascending) and a face of near_.
+	/// The number of touching pairs with a face of `faces`, ascending.
 	int              contactNum(const std::vector<int>& faces);
-	void             findNear(int f);
 	std::vector<int> ringsRound(int f, int ringNum);
 };
 

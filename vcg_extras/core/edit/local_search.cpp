@@ -106,12 +106,12 @@ bool LocalSearch::looksForContacts() const
 
 void LocalSearch::takeSpace()
 {
-	if (space_ == nullptr) space_.reset(new FacesInSpace(m_, m_.faceNum + 2 * spare_, workers_));
+	if (space_ == nullptr) space_ = std::make_unique<FacesInSpace>(m_, workers_);
 }
 
 bool LocalSearch::hasContact(int f) const
 {
-	return countTouchingPairs(m_, {f}, space_->meeting(boxOfFace(m_, f))) > 0;
+	return countTouchingPairs(m_, {f}, space_->near(boxOfFace(m_, f))) > 0;
 }
 
 // ---- several faces at the same time

@@ -9,17 +9,9 @@
 namespace gpr {
 
 ContactGuard::ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& workers) :
-		m_(mesh), hadContacts_(hadContacts), boxes_(mesh, workers),
-		placeOf_(std::size_t(mesh.faceNum), -1), goneIn_(std::size_t(mesh.faceNum), 0)
+		m_(mesh), hadContacts_(hadContacts), space_(mesh, workers),
+		goneIn_(std::size_t(mesh.faceNum), 0)
 {
-	for (int i = 0; i < boxes_.faceNum(); ++i)
-		placeOf_[boxes_.face(i)] = i;
-}
-
-void ContactGuard::follow(const std::vector<int>& changed)
-{
-	for (int f : changed)
-		boxes_.grow(placeOf_[f], boxOfFace(m_, f));
 }
 
 bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone)
@@ -37,8 +29,7 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 		all += boxOfMade_.back();
 	}
 	if (reachMirrorImage(made) && !reachMirrorImage(before_)) return false;
-	return boxes_.forEachMeeting(all, [&](int place) {
-		const int f = boxes_.face(place);
+	return space_.forEachNear(all, [&](int f) {
 		return isDeadFace(m_, f) || goneIn_[f] == call_ || isApartFrom(f, made);
 	}) && (!touchEachOther(made) || touchEachOther(before_));
 }

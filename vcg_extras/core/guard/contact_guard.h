@@ -12,8 +12,8 @@
 namespace gpr {
 
 /// Predicts whether a change of a mesh would make new contacts. A mesh without contacts gets none
-/// if every change is allowed here. Exact: see mesh/face_contact.h. Holds a tree of boxes of the
-/// mesh's faces; the boxes grow with changes. 45 B per face.
+/// if every change is allowed here. Exact: see mesh/face_contact.h. Holds a tree of the mesh's
+/// faces. 50 B per face.
 class ContactGuard {
 public:
 	/// hadContacts: the mesh has contacts. The mesh must stay in memory and get no more faces.
@@ -24,15 +24,14 @@ public:
 	/// hundred nanoseconds per nearby face.
 	bool allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone);
 
-	/// Updates the tree; needed after each change. changed: the faces that moved.
-	void follow(const std::vector<int>& changed);
+	/// Needed after each change. changed: the living faces that moved.
+	void follow(const std::vector<int>& changed) { space_.follow(changed); }
 
 private:
 	const HalfEdgeMesh&        m_;
 	bool                       hadContacts_;
-	FaceBoxes                  boxes_;
-	std::vector<int>           placeOf_; ///< per face: place in the tree, or -1
-	std::vector<unsigned>      goneIn_;  ///< per face: the last call with the face in `gone`
+	FacesInSpace               space_;
+	std::vector<unsigned>      goneIn_; ///< per face: the last call with the face in `gone`
 	unsigned                   call_ = 0;
 	std::vector<Box<float>>    boxOfMade_;
 	std::vector<NamedTriangle> before_; ///< the triangles of `gone` if the mesh had contacts

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <queue>
 #include <utility>
 
@@ -94,8 +93,7 @@ class Decimation {
 public:
 	Decimation(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers) :
 			settings_(settings), g_(guarded), m_(guarded.mesh), workers_(workers),
-			guard_(std::make_unique<ContactGuard>(m_, g_.hadContacts, workers)),
-			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum),
+			guard_(m_, g_.hadContacts, workers), livingNum_(m_.vertexNum),
 			hasFlat_(zeroAreaFaceNum(m_, workers) > 0), stamp_(std::size_t(m_.vertexNum), 0)
 	{
 	}
@@ -118,15 +116,15 @@ public:
 	}
 
 private:
-	const GuardedSettings&        settings_;
-	GuardedMesh&                  g_;
-	HalfEdgeMesh&                 m_;
-	Workers&                      workers_;
-	std::unique_ptr<ContactGuard> guard_;
-	std::int64_t livingNum_, guardedNum_; ///< vertices now, and when the guard was made
-	std::int64_t firstNum_  = 0;
-	std::int64_t borderNum_ = 0;     ///< vertices to remove from a kept border
-	bool         isForced_  = false; ///< remove only these vertices, even with contacts
+	const GuardedSettings& settings_;
+	GuardedMesh&           g_;
+	HalfEdgeMesh&          m_;
+	Workers&               workers_;
+	ContactGuard           guard_;
+	std::int64_t           livingNum_; ///< vertices now
+	std::int64_t           firstNum_  = 0;
+	std::int64_t           borderNum_ = 0;     ///< vertices to remove from a kept border
+	bool                   isForced_  = false; ///< remove only these vertices, even with contacts
 	/// The first mesh had degenerate faces. A result must not have such faces, so these go first.
 	bool                           hasFlat_;
 	std::vector<unsigned>          stamp_; ///< per vertex: number of its changes
@@ -307,7 +305,7 @@ private:
 			if (isTooFar(merge, squaredByArea)) return;
 			if (!makeTriangles(merge, place)) continue;
 			const bool isTested = !isForced_ && !isUntested(merge, squaredByArea);
-			if (isTested && !guard_->allows(made_, gone_)) continue;
+			if (isTested && !guard_.allows(made_, gone_)) continue;
 			collapseTo(merge, place);
 			return;
 		}
@@ -424,14 +422,9 @@ private:
 
 	void followWithGuard(int v)
 	{
-		if (2 * livingNum_ < guardedNum_) {
-			guard_      = std::make_unique<ContactGuard>(m_, g_.hadContacts, workers_);
-			guardedNum_ = livingNum_;
-			return;
-		}
 		changed_.clear();
 		forEachOutgoing(m_, v, [&](int h) { changed_.push_back(h / 3); });
-		guard_->follow(changed_);
+		guard_.follow(changed_);
 	}
 };
 

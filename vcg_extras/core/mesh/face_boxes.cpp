@@ -15,6 +15,11 @@ namespace gpr {
 
 namespace {
 
+/// Places of faces that are not in the tree.
+constexpr int nowhere = -1, inList = -2;
+/// After so few changes the tree is not made anew, however small the mesh.
+constexpr std::size_t fewChanges = 256;
+
 Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 {
 	return workers.sumEach<Box<float>>(m.vertexNum, [&](int v, Box<float>& part) {
@@ -122,8 +127,49 @@ std::vector<int> FaceBoxes::meeting(const Box<float>& box) const
 		found.push_back(face_[place]);
 		return true;
 	});
-	std::sort(found.begin(), found.end());
 	return found;
+}
+
+// ---- while the mesh changes
+
+FacesInSpace::FacesInSpace(const HalfEdgeMesh& mesh, Workers& workers) :
+		m_(mesh), workers_(workers), boxes_(mesh, workers)
+{
+	findPlaces();
+}
+
+void FacesInSpace::findPlaces()
+{
+	placeOf_.assign(std::size_t(m_.faceNum), nowhere);
+	for (int i = 0; i < boxes_.faceNum(); ++i)
+		placeOf_[boxes_.face(i)] = i;
+	added_.clear();
+	changedNum_ = 0;
+}
+
+std::vector<int> FacesInSpace::near(const Box<float>& box) const
+{
+	std::vector<int> faces;
+	forEachNear(box, [&](int f) {
+		faces.push_back(f);
+		return true;
+	});
+	return faces;
+}
+
+void FacesInSpace::follow(const std::vector<int>& changed)
+{
+	for (int f : changed) {
+		if (f >= int(placeOf_.size())) placeOf_.resize(std::size_t(f) + 1, nowhere);
+		if (placeOf_[f] >= 0) boxes_.grow(placeOf_[f], boxOfFace(m_, f));
+		if (placeOf_[f] != nowhere) continue;
+		placeOf_[f] = inList;
+		added_.push_back(f);
+	}
+	changedNum_ += changed.size();
+	if (changedNum_ <= std::max(fewChanges, std::size_t(boxes_.faceNum()))) return;
+	boxes_ = FaceBoxes(m_, workers_);
+	findPlaces();
 }
 
 } // namespace gpr

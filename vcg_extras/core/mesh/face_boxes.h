@@ -31,7 +31,8 @@ public:
 	/// Takes only faces that may meet a wanted face (a mark of 1 per face; empty: all are wanted).
 	FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 
-	/// Faces whose boxes met `box` at the time of building; ascending. Cost: O(log F) a face.
+	/// Faces whose boxes met `box` at the time of building; in the order of the tree. Cost:
+	/// O(log F) a face.
 	std::vector<int> meeting(const Box<float>& box) const;
 
 	/// Calls visit(i) for the places i of faces whose boxes meet `box`, until visit returns false.
@@ -75,6 +76,39 @@ private:
 		}
 		return true;
 	}
+};
+
+/// The faces of a mesh by their place, while the mesh changes. The boxes of a tree grow with
+/// changes; after as many changes as faces the tree is made anew. 45 B a face.
+class FacesInSpace {
+public:
+	/// The mesh must stay in memory.
+	FacesInSpace(const HalfEdgeMesh& mesh, Workers& workers);
+
+	/// Calls visit(f) once for each face that may meet a box, dead or alive, until visit returns
+	/// false. Cost: O(log F) a face, and a look at each added face.
+	template <class Visit>
+	bool forEachNear(const Box<float>& box, const Visit& visit) const
+	{
+		for (int f : added_) {
+			if (!visit(f)) return false;
+		}
+		return boxes_.forEachMeeting(box, [&](int place) { return visit(boxes_.face(place)); });
+	}
+	std::vector<int> near(const Box<float>& box) const;
+
+	/// Needed after each change. changed: the living faces that moved or are new.
+	void follow(const std::vector<int>& changed);
+
+private:
+	const HalfEdgeMesh& m_;
+	Workers&            workers_;
+	FaceBoxes           boxes_;
+	std::vector<int>    placeOf_; ///< per face: its place in the tree, or below 0
+	std::vector<int>    added_;   ///< faces that came after the tree
+	std::size_t         changedNum_ = 0;
+
+	void findPlaces();
 };
 
 } // namespace gpr

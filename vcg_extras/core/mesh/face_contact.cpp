@@ -340,9 +340,6 @@ std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 					   const std::vector<int>& near, std::int64_t* work)
 {
-	std::vector<int> others;
-	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
-				   std::back_inserter(others));
 	std::vector<Box<float>> boxes(faces.size());
 	Box<float>              all;
 	for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -351,17 +348,20 @@ int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 	}
 	int num = int(
 		std::count_if(faces.begin(), faces.end(), [&](int f) { return reachesMirrorImage(m, f); }));
-	for (int g : others) {
-		if (isDeadFace(m, g)) continue;
-		const Box<float> box = boxOfFace(m, g);
-		if (!box.meets(all)) continue;
-		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
-		for (std::size_t i = 0; i < faces.size(); ++i) {
-			// The empty box of a dead face meets no box.
-			if (!boxes[i].meets(box) || (isOneOfThem && faces[i] >= g)) continue;
+	const auto countUntil = [&](std::size_t end, int g, const Box<float>& box) {
+		for (std::size_t i = 0; i < end; ++i) {
+			if (!boxes[i].meets(box)) continue; // the empty box of a dead face meets no box
 			num += doFacesTouch(m, faces[i], g, Seams::Joined);
 			if (work != nullptr) ++*work;
 		}
+	};
+	for (std::size_t i = 0; i < faces.size(); ++i)
+		countUntil(i, faces[i], boxes[i]); // each pair of these faces once
+	for (int g : near) {
+		if (isDeadFace(m, g)) continue;
+		const Box<float> box = boxOfFace(m, g);
+		const bool isOther   = box.meets(all) && !std::binary_search(faces.begin(), faces.end(), g);
+		if (isOther) countUntil(faces.size(), g, box);
 	}
 	return num;
 }

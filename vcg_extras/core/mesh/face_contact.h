@@ -62,7 +62,7 @@ std::vector<int> findTouchingFaces(const HalfEdgeMesh& mesh, Workers& workers,
 /// The faces of some pairs, each once, ascending.
 std::vector<int> facesOf(const std::vector<FacePair>& pairs);
 
-/// Counts contacts between `faces` and the union of `faces` and `near`, both ascending. Skips dead
+/// Counts contacts between `faces`, ascending, and the union of `faces` and `near`. Skips dead
 /// faces. Adds the number of compared pairs to `work`, unless null. Cost: the product of both
 /// numbers for the comparison of boxes.
 int countTouchingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,

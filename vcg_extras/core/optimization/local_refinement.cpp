@@ -96,7 +96,7 @@ public:
 	Refinement(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
 			   Workers& workers, int mostNew) :
 			editor_(surface, curves, result, workers, mostNew),
-			m_(result.mesh), space_(result.mesh, result.mesh.faceNum + 2 * mostNew, workers)
+			m_(result.mesh), space_(result.mesh, workers)
 	{
 	}
 
@@ -167,7 +167,7 @@ private:
 			return false;
 		}
 		editor_.countDone(op);
-		space_.noteChanged(faces);
+		space_.follow(faces);
 		return true;
 	}
 
@@ -209,7 +209,7 @@ private:
 			faults.invertedNum += editor_.agreement(f) < 0;
 			faults.angle = std::min(faults.angle, smallestAngle(m_, f));
 		}
-		const std::vector<int> near = space_.meeting(boxOfFaces(m_, faces));
+		const std::vector<int> near = space_.near(boxOfFaces(m_, faces));
 		faults.pairNum              = countTouchingPairs(m_, faces, near, &work_);
 		work_ += std::int64_t(near.size());
 		return faults;
