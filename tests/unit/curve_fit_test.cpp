@@ -96,7 +96,7 @@ struct Laid {
 
 	void fit(float minAngle = 0.2f)
 	{
-		fitCurves(surface, curves, minAngle, CurveFit::MeanAndLargest, result);
+		fitCurves(surface, curves, minAngle, CurveFit::MeanAndLargest, result, workers);
 	}
 
 	std::vector<Vec3f> positions() const

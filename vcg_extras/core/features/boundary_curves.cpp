@@ -661,11 +661,12 @@ std::vector<std::vector<int>> connectedLines(const HalfEdgeMesh& m, const std::v
 
 /// Border loops; then feature lines from node to node, then closed feature lines; each in the order
 /// of their first vertex.
-std::vector<Curve> traceCurves(const HalfEdgeMesh& m)
+std::vector<Curve> traceCurves(const HalfEdgeMesh& m, Workers& workers)
 {
 	std::vector<Curve> curves;
 	std::vector<bool>  seen(m.halfEdgeNum(), false);
 	const auto         trace = [&](int h) {
+        workers.poll();
         if (!seen[h]) curves.push_back(traceFrom(m, h, seen));
 	};
 	for (int v = 0; v < m.vertexNum; ++v) {
@@ -689,12 +690,13 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
-	result.curves = traceCurves(m);
+	result.curves = traceCurves(m, workers);
 
 	workers.poll();
-	for (Curve& c : result.curves)
+	for (Curve& c : result.curves) {
+		workers.poll();
 		addSizes(surface, c);
-	workers.poll();
+	}
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result, workers);
 	if (border == BoundaryMode::Smooth) sampler.smoothBorders(sharesBorders);
 	if (sharesBorders && border != BoundaryMode::Keep) sampler.shareBorders();

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_FEATURES_BOUNDARY_CURVES_H
 #define VCG_EXTRAS_CORE_FEATURES_BOUNDARY_CURVES_H
 
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/surface/curve.h>
@@ -48,7 +49,7 @@ std::vector<std::vector<int>> connectedLines(const HalfEdgeMesh&     mesh,
 											 const std::vector<int>& edges);
 
 /// The border loops, then the feature lines (mesh.crease), cut into chains between nodes.
-std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
+std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh, Workers& workers);
 
 /// Stage::Boundary: samples the border and the feature lines (surface.mesh.crease) before the
 /// inside, so that both keep their shape and the triangles there are regular.

@@ -40,7 +40,7 @@ class CloseLines {
 public:
 	CloseLines(const Surface& surface, float gap, Workers& workers) :
 			surface_(surface), m_(surface.mesh), gap_(gap), workers_(workers),
-			curves_(traceCurves(m_)), segmentAt_(std::size_t(m_.halfEdgeNum()))
+			curves_(traceCurves(m_, workers)), segmentAt_(std::size_t(m_.halfEdgeNum()))
 	{
 		numberSegments();
 		findNodes();

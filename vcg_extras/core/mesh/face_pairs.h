@@ -39,10 +39,13 @@ public:
 	template <class Test>
 	std::vector<Pair> collect(Workers& workers, Extent extent, const Test& doMeet) const
 	{
-		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		return workers.collectEach<Pair>(groupNum, [&](int group, auto& out) {
-			if (isGroupWanted(group)) searchGroup(group, extent, doMeet, out);
-		});
+		const std::size_t groupNum   = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
+		constexpr std::size_t grain  = 16; // a group may have thousands of pairs
+		const auto            search = [&](std::size_t begin, std::size_t end, auto& out) {
+            for (std::size_t group = begin; group < end; ++group)
+                if (isGroupWanted(int(group))) searchGroup(int(group), extent, doMeet, out);
+		};
+		return workers.collect<Pair>(groupNum, search, grain);
 	}
 
 private:

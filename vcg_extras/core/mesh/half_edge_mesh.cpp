@@ -52,7 +52,7 @@ std::vector<int> facesRound(const HalfEdgeMesh& m, const std::vector<int>& verti
 	std::vector<int> faces;
 	for (int v : vertices)
 		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
-	sortUnique(faces);
+	sortUniqueBelow(m.faceNum, faces);
 	return faces;
 }
 
@@ -61,7 +61,7 @@ std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces
 	std::vector<int> vertices;
 	for (int f : faces)
 		vertices.insert(vertices.end(), &m.origin[3 * f], &m.origin[3 * f] + 3);
-	sortUnique(vertices);
+	sortUniqueBelow(m.vertexNum, vertices);
 	return vertices;
 }
 

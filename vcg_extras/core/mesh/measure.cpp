@@ -253,14 +253,14 @@ std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border, Work
 		vertex.push_back(m.origin[h]);
 		vertex.push_back(m.target(h));
 	}
-	sortUnique(vertex);
+	sortUniqueBelow(m.vertexNum, vertex);
 	DisjointSets rims(vertex.size(), workers);
-	for (int h : border)
+	workers.forEach(border.size(), [&](int i) {
+		const int h = border[i];
 		rims.unite(placeIn(vertex, m.origin[h]), placeIn(vertex, m.target(h)));
-	std::int64_t loops = 0;
-	for (std::size_t i = 0; i < vertex.size(); ++i)
-		loops += rims.isRoot(int(i));
-	return loops;
+	});
+	return workers.sumEach<std::int64_t>(
+		vertex.size(), [&](int i, std::int64_t& loops) { loops += rims.isRoot(i); });
 }
 
 } // namespace

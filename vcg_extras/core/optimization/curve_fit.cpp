@@ -57,10 +57,10 @@ struct Span {
 class CurveFitter {
 public:
 	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float minAngle, CurveFit goal,
-				ResultMesh& result) :
+				ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), limits_(acceptanceOf(Driver::CurveFit, minAngle)), goal_(goal),
-			r_(result), m_(result.mesh)
+			r_(result), m_(result.mesh), workers_(workers)
 	{
 	}
 
@@ -74,11 +74,15 @@ public:
 		for (int v : vertices_)
 			start.push_back(m_.position[v]);
 		for (int round = 0; round < rounds; ++round) {
-			for (std::size_t i = 0; i < vertices_.size(); ++i)
+			for (std::size_t i = 0; i < vertices_.size(); ++i) {
+				workers_.poll();
 				fit(vertices_[i], start[i]);
+			}
 		}
-		for (int v : vertices_)
+		for (int v : vertices_) {
+			workers_.poll();
 			follow(v);
+		}
 	}
 
 private:
@@ -88,6 +92,7 @@ private:
 	CurveFit              goal_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
+	Workers&              workers_;
 	std::vector<int>      vertices_;
 	Span                  span_; ///< of the vertex at hand
 
@@ -205,9 +210,9 @@ private:
 } // namespace
 
 void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle, CurveFit goal,
-			   ResultMesh& result)
+			   ResultMesh& result, Workers& workers)
 {
-	CurveFitter(surface, curves, minAngle, goal, result).run();
+	CurveFitter(surface, curves, minAngle, goal, result, workers).run();
 }
 
 } // namespace gpr

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_CURVE_FIT_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_CURVE_FIT_H
 
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>
@@ -27,7 +28,7 @@ enum class CurveFit { MeanAndLargest, Mean };
 /// Changes mesh.position, and the records, which slide along the curve below the vertices. Cost:
 /// the points of the curves and the rings of their vertices; serial.
 void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle, CurveFit goal,
-			   ResultMesh& result);
+			   ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/edge_middle.h>
@@ -139,7 +140,7 @@ private:
 		const int known = int(facts_.size());
 		facts_.resize(std::size_t(m_.vertexNum));
 		workers_.forEach(std::size_t(m_.vertexNum - known), [&](int i) { findFacts(known + i); });
-		sortUnique(stale_); // no two threads find the facts of the same vertex
+		sortUniqueBelow(m_.vertexNum, stale_); // no two threads find the facts of the same vertex
 		workers_.forEach(stale_.size(), [&](int i) { findFacts(stale_[i]); });
 		stale_.clear();
 		used_.assign(m_.vertexNum, 0);
@@ -175,7 +176,7 @@ private:
 			const auto isOver = [&](const CountChange& op) { return op.energy > last; };
 			all.erase(std::remove_if(all.begin(), all.end(), isOver), all.end());
 		}
-		std::sort(all.begin(), all.end());
+		sortPolled(all.begin(), all.end(), workers_);
 		return std::move(all);
 	}
 
@@ -235,6 +236,7 @@ private:
 		if (toSplit) reserve(m_, m_.vertexNum + left, m_.faceNum + 2 * left);
 		for (const CountChange& op : operations) {
 			if (num_ == wanted_) return;
+			workers_.poll();
 			if (!isDeadFace(m_, op.halfEdge / 3) && fits(op.halfEdge)) make(op, toSplit);
 		}
 	}

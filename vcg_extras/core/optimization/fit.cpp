@@ -215,7 +215,7 @@ private:
 	{
 		MoveGuard whole(limits_, shorteningOfFit, m_, workers_);
 		whole.start();
-		fitCurves(surface_, curves_, limits_.angle, settings_.curveFit, r_);
+		fitCurves(surface_, curves_, limits_.angle, settings_.curveFit, r_, workers_);
 		if (settings_.rounds == 0) return raiseAll(whole) && takeBackOffenders(whole);
 		const bool allKept = fitInRounds(map);
 		whole.takeOver();

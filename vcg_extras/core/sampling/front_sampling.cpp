@@ -225,6 +225,7 @@ private:
 		const bool              areTooMany = foreign.size() > maxSamples;
 		std::vector<int>        near;
 		for (int s : foreign) {
+			workers_.pollFrom(worker_);
 			near.clear();
 			for (int t : foreign) {
 				if (areTooMany) break;
