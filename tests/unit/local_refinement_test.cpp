@@ -104,7 +104,7 @@ TEST(RefineToGoal, LeavesNoPointBeyondTheGoal)
 	Laid         on(tents(120), grid(45, 45));
 	const double goal = 0.04 * height * on.surface.frame.scale;
 	ASSERT_GT(pointsBeyond(on, goal).size(), 9u);
-	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers).outcome,
 			  GoalOutcome::Kept);
 	EXPECT_TRUE(pointsBeyond(on, goal).empty());
 	EXPECT_GT(on.result.splitNum, 9);
@@ -116,7 +116,7 @@ TEST(RefineToGoal, AddsNothingIfAllTrianglesAreTooLarge)
 	Laid         on(tents(120), grid(4, 4));
 	const int    before = on.result.mesh.vertexNum;
 	const double goal   = 0.01 * height * on.surface.frame.scale;
-	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers).outcome,
 			  GoalOutcome::OutOfReach);
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
@@ -131,7 +131,7 @@ TEST(RefineToGoal, EndsWhereNoNewVertexHelps)
 	Laid         on(joined(tents(120), sheet), grid(45, 45));
 	const int    before = on.result.mesh.vertexNum;
 	const double goal   = 0.04 * height * on.surface.frame.scale;
-	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers),
+	EXPECT_EQ(refineToGoal(on.surface, on.boundary, goal, on.result, on.workers).outcome,
 			  GoalOutcome::OutOfReach);
 	EXPECT_LT(on.result.mesh.vertexNum, 2 * before);
 }

@@ -3,10 +3,12 @@
 
 // Patches made anew keep the result's number of vertices, or report that the number has changed.
 
+#include <tests/support/laid.h>
+#include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/guard/patch_filling.h>
+#include <vcg_extras/core/guard/contact_removal.h>
 
 #include <algorithm>
 #include <deque>
@@ -99,6 +101,39 @@ TEST(PatchFilling, TellsWhereTheInputHasTooFewVertices)
 	ASSERT_TRUE(filling.fill(marked));
 	ASSERT_LT(filling.mesh().vertexNum, nest.result().mesh.vertexNum);
 	EXPECT_FALSE(filling.isSound());
+}
+
+/// The largest distance of the surface near a point from the result.
+float farthestNear(const Laid& on, const Vec3f& place, float reach)
+{
+	Workers             workers(1, nullptr);
+	const NearestOnMesh tree(on.result.mesh, workers);
+	float               far = 0;
+	for (int v = 0; v < on.surface.mesh.vertexNum; ++v) {
+		const Vec3f p = on.surface.mesh.position[v];
+		if (length(p - place) < reach) far = std::max(far, length(tree.nearest(p).position - p));
+	}
+	return far;
+}
+
+TEST(MakeFiner, BringsAPlaceNearerWithMoreVertices)
+{
+	Laid on(icosphere(5), icosphere(3));
+	on.result.idealEdge        = length(on.result.mesh.edgeVector(0));
+	const ResultMesh    before = copyResult(on.result, on.workers);
+	const HalfEdgeMesh& m      = before.mesh;
+	const int           face   = 100;
+	const Vec3f         place  = m.position[m.origin[3 * face]];
+	const float         reach  = on.result.idealEdge;
+	const float         far    = farthestNear(on, place, reach);
+
+	const std::vector<int> noneKept;
+	makeFiner({on.surface, on.boundary, noneKept}, {face}, on.result, on.workers);
+	EXPECT_GT(on.result.mesh.vertexNum, before.mesh.vertexNum + 5);
+	EXPECT_LT(on.result.mesh.vertexNum, before.mesh.vertexNum + 60) << "only there";
+	EXPECT_LT(farthestNear(on, place, reach), 0.75f * far);
+	EXPECT_TRUE(isSoundTable(on.result.mesh));
+	EXPECT_TRUE(findTouchingPairs(on.result.mesh, on.workers).empty());
 }
 
 } // namespace gpr::test

@@ -210,6 +210,13 @@ ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vect
 	return {reached};
 }
 
+/// The contacts of the input near contacts of the result.
+InputContacts contactsOfInput(const MakingOfVertices& making, const std::vector<FacePair>& pairs,
+							  const ResultMesh& result, Workers& workers)
+{
+	return {making.surface.mesh, result.mesh, pairs, nearInputs * result.idealEdge, workers};
+}
+
 /// Remakes patches around the contacts, then whole components.
 ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofInput,
 						std::vector<FacePair> pairs, ResultMesh& result, Workers& workers)
@@ -239,8 +246,7 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 	figures.isTested     = true;
 	figures.foundPairNum = figures.pairNum = std::int64_t(pairs.size());
 	if (pairs.empty()) return outcome;
-	const InputContacts ofInput(making.surface.mesh, result.mesh, pairs,
-								nearInputs * result.idealEdge, workers);
+	const InputContacts ofInput        = contactsOfInput(making, pairs, result, workers);
 	figures.inputFaceNum               = ofInput.faceNum();
 	const std::vector<FacePair> others = ofInput.withoutInputs(result.mesh, pairs);
 	if (others.empty()) return outcome;
@@ -253,6 +259,19 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 	outcome.hasMade = figures.vertexNum > 0;
 	figures.pairNum = std::int64_t(findTouchingPairs(result.mesh, workers).size());
 	return outcome;
+}
+
+void makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMesh& result,
+			   Workers& workers)
+{
+	constexpr int finer = 3;
+	making.finer        = finer;
+	std::vector<FacePair> places; // a patch round each face
+	for (int f : faces)
+		places.emplace_back(f, f);
+	const InputContacts ofInput =
+		contactsOfInput(making, findTouchingPairs(result.mesh, workers), result, workers);
+	fillPatches(making, ofInput, places, result, workers);
 }
 
 } // namespace gpr

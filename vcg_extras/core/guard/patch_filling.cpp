@@ -8,6 +8,8 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace gpr {
@@ -58,6 +60,15 @@ ResultVertex recordOf(const Surface& surface, const ResultMesh& result, const Re
 	return moved;
 }
 
+/// The number of vertices with marked faces only.
+int insideNum(const HalfEdgeMesh& m, const std::vector<char>& marked)
+{
+	int num = 0;
+	for (int v = 0; v < m.vertexNum; ++v)
+		num += m.outgoing[v] >= 0 && !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
+	return num;
+}
+
 } // namespace
 
 GuardedSettings settingsFor(const MakingOfVertices& making, const ResultMesh& result,
@@ -91,6 +102,10 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 	GuardedMesh&    guarded  = *refilled_.guarded;
 	GuardedSettings settings = settingsFor(making_, result_, patchLengthWeight);
 	settings.untested        = untestedMove;
+	if (making_.finer > 1)
+		settings.targetNum = std::min<std::int64_t>(
+			settings.targetNum + (making_.finer - 1) * insideNum(result_.mesh, marked),
+			guarded.mesh.vertexNum);
 	// A patch enclosed by few border cells goes to these cells, so a small patch may end with fewer
 	// vertices than before.
 	if (guarded.mesh.vertexNum < settings.targetNum ||

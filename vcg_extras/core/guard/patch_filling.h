@@ -22,6 +22,7 @@ struct MakingOfVertices {
 	bool                    mayLeaveSurface = true;  ///< made vertices may lie off the surface
 	double                  adapt           = 0;     ///< weight of the error on sizes
 	bool                    mayEndAbove     = false; ///< more vertices than before may be left
+	int                     finer           = 1; ///< vertices inside of a patch, over those before
 };
 
 /// A result with patches made anew.

@@ -221,7 +221,7 @@ private:
 		std::vector<char> marked;
 		for (int f : part.face)
 			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
-		if (triesBefore == 0 &&
+		if (triesBefore == 0 && making_.finer == 1 &&
 			changePatch(making_, ofInput_, part, marked, work, inner, out.filled)) {
 			out.isFilled = true;
 			out.grown    = faces;

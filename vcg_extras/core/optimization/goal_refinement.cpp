@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/edit/patch_distance.h>
 #include <vcg_extras/core/surface/certified_distance.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 
 #include <algorithm>
 #include <limits>
@@ -33,6 +34,8 @@ constexpr int    mostLostRounds = 2;
 /// topology forbid new vertices there. With .1 a useful refinement is left out, and a part gets a
 /// tenth more vertices.
 constexpr double mostLost = 0.25;
+/// The most points for each vertex that count as single places.
+constexpr double mostSingle = 0.05;
 /// The most far points for each vertex of the result. With more points all triangles are too large,
 /// and the refinement ends. With a limit of one, some results get twice the vertices in twice the
 /// time, because a new mesh is made. Without a limit, some parts take three times as long.
@@ -53,6 +56,19 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 bool isHopeless(std::size_t leftNum, const ResultMesh& result)
 {
 	return double(leftNum) > mostLost * result.mesh.vertexNum;
+}
+
+/// The faces nearest to points; ascending. None if the points are more than single places.
+std::vector<int> singlePlaces(const std::vector<FarPoint>& points, const ResultMesh& result,
+							  Workers& workers)
+{
+	std::vector<int> faces;
+	if (double(points.size()) > mostSingle * result.mesh.vertexNum) return faces;
+	const NearestOnMesh tree(result.mesh, workers);
+	for (const FarPoint& p : points)
+		faces.push_back(tree.nearest(p.position).face);
+	sortUnique(faces);
+	return faces;
 }
 
 /// Finds the points of surface and result with a distance above a limit, round by round.
@@ -114,23 +130,23 @@ private:
 
 } // namespace
 
-GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-						 ResultMesh& result, Workers& workers)
+GoalRefinement refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+							ResultMesh& result, Workers& workers)
 {
-	const double   limit = limitShare * goal;
-	FarPointSearch search(surface, limit, workers);
-	std::size_t    before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
-	int            lostRounds = 0;
+	const double          limit = limitShare * goal;
+	FarPointSearch        search(surface, limit, workers);
+	std::size_t           before = std::numeric_limits<std::size_t>::max(), fewestLeft = before;
+	int                   lostRounds = 0;
+	std::vector<FarPoint> left;
 	lowerWorstDistances(surface, ClosestFaceMap(surface, result, workers), raisedAngle, facePasses,
 						result, workers, float(limit));
 	for (int round = 0; round < mostRounds; ++round) {
 		const std::vector<FarPoint>& points = search.next(result);
 		if (points.size() > mostPerVertex * std::size_t(result.mesh.vertexNum))
-			return GoalOutcome::OutOfReach;
-		if (points.empty()) return GoalOutcome::Kept;
-		std::vector<FarPoint> left =
-			drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
-						 float(limit), result, workers);
+			return {GoalOutcome::OutOfReach, {}};
+		if (points.empty()) return {GoalOutcome::Kept, {}};
+		left = drawToPoints(points, surface, ClosestFaceMap(surface, result, workers), keptAngle,
+							float(limit), result, workers);
 		// Points that come back after each round need new vertices.
 		const bool hasFallen = points.size() < before;
 		before               = points.size();
@@ -138,13 +154,15 @@ GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, d
 		if (left.empty()) left = points;
 		lostRounds = double(left.size()) < mostLeft * double(fewestLeft) ? 0 : lostRounds + 1;
 		fewestLeft = std::min(fewestLeft, left.size());
-		if (lostRounds == mostLostRounds)
-			return isHopeless(left.size(), result) ? GoalOutcome::OutOfReach : GoalOutcome::Open;
+		if (lostRounds == mostLostRounds) {
+			if (isHopeless(left.size(), result)) return {GoalOutcome::OutOfReach, {}};
+			break;
+		}
 		const LocalRefinement settings = {raisedAngle, float(limit),
 										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
-	return GoalOutcome::Open;
+	return {GoalOutcome::Open, singlePlaces(left, result, workers)};
 }
 
 } // namespace gpr

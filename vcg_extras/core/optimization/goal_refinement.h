@@ -16,11 +16,16 @@ enum class GoalOutcome {
 	OutOfReach ///< far more points than vertices, or many points that no new vertex brings near
 };
 
+struct GoalRefinement {
+	GoalOutcome      outcome = GoalOutcome::Open;
+	std::vector<int> farFaces; ///< if open: at single places that are left; ascending
+};
+
 /// Makes triangles smaller at the places with a distance between result and surface above `goal`,
 /// in rounds. goal: working units. Cost: placesBeyond in both directions, then in each round
 /// refineAt and placesBeyond near the changes.
-GoalOutcome refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-						 ResultMesh& result, Workers& workers);
+GoalRefinement refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+							ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -338,6 +338,15 @@ void repairAngles(RunContext& run, Products& made)
 	made.poor = {};
 }
 
+namespace {
+
+MakingOfVertices makingOf(const RunContext& run, const Products& made)
+{
+	return {made.surface, made.curves, made.sizes.kept, isFitted(run.options), *run.options.adapt};
+}
+
+} // namespace
+
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.hasMadeVertices      = false;
@@ -346,9 +355,9 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	if (!run.options.guard || isPaper(run.options))
 		return {before, before, false, made.result.faceNum()};
 	run.clock.enter(Stage::Contacts);
-	const MakingOfVertices making{made.surface,          made.curves,        made.sizes.kept,
-								  isFitted(run.options), *run.options.adapt, decisions.mayEndAbove};
-	ContactOutcome         outcome = removeContacts(making, made.result, made.guarded, run.workers);
+	MakingOfVertices making = makingOf(run, made);
+	making.mayEndAbove      = decisions.mayEndAbove;
+	ContactOutcome outcome  = removeContacts(making, made.result, made.guarded, run.workers);
 	for (int round = 0; round < countRounds && missesCount(decisions, made.result, outcome);
 		 ++round) {
 		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
@@ -379,9 +388,13 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 	if (made.refined == GoalOutcome::OutOfReach || (made.refined == GoalOutcome::Kept && isSame))
 		return {};
 	run.clock.enter(Stage::Fit);
-	const double       largest = goal.largest * made.surface.frame.scale;
-	const std::int64_t before  = made.result.vertexNum();
-	made.refined = refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	const double         largest = goal.largest * made.surface.frame.scale;
+	const std::int64_t   before  = made.result.vertexNum();
+	const GoalRefinement refined =
+		refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
+	made.refined = refined.outcome;
+	if (run.options.guard && !refined.farFaces.empty())
+		makeFiner(makingOf(run, made), refined.farFaces, made.result, run.workers);
 	return {int(made.result.vertexNum() - before), true};
 }
 
