@@ -58,15 +58,32 @@ bool isHopeless(std::size_t leftNum, const ResultMesh& result)
 	return double(leftNum) > mostLost * result.mesh.vertexNum;
 }
 
-/// The faces nearest to points; ascending. None if the points are more than single places.
-std::vector<int> singlePlaces(const std::vector<FarPoint>& points, const ResultMesh& result,
-							  Workers& workers)
+/// Per vertex of the surface: the face of the result on the same sheet that is nearest; or -1.
+std::vector<int> nearestFaces(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const ClosestFaceMap map(surface, result, workers);
+	std::vector<int>     face(std::size_t(surface.mesh.vertexNum), -1);
+	for (int f = 0; f < result.mesh.faceNum; ++f) {
+		for (const int* v = map.begin(f); v < map.end(f); ++v)
+			face[*v] = f;
+	}
+	return face;
+}
+
+/// The faces at points; ascending. None if the points are more than single places.
+std::vector<int> singlePlaces(const Surface& surface, const std::vector<FarPoint>& points,
+							  const ResultMesh& result, Workers& workers)
 {
 	std::vector<int> faces;
 	if (double(points.size()) > mostSingle * result.mesh.vertexNum) return faces;
-	const NearestOnMesh tree(result.mesh, workers);
-	for (const FarPoint& p : points)
-		faces.push_back(tree.nearest(p.position).face);
+	const NearestOnMesh    ofResult(result.mesh, workers), ofSurface(surface.mesh, workers);
+	const std::vector<int> nearest = nearestFaces(surface, result, workers);
+	for (const FarPoint& p : points) {
+		const int corner = surface.mesh.origin[3 * ofSurface.nearest(p.position).face];
+		// Another sheet may be nearer than the sheet of a point of the surface.
+		const bool isKnown = p.isOfSurface && nearest[corner] >= 0;
+		faces.push_back(isKnown ? nearest[corner] : ofResult.nearest(p.position).face);
+	}
 	sortUnique(faces);
 	return faces;
 }
@@ -162,7 +179,7 @@ GoalRefinement refineToGoal(const Surface& surface, const BoundaryCurves& curves
 										  int(mostAdded * result.mesh.vertexNum)};
 		if (refineAt(surface, curves, left, settings, result, workers) == 0) break;
 	}
-	return {GoalOutcome::Open, singlePlaces(left, result, workers)};
+	return {GoalOutcome::Open, singlePlaces(surface, left, result, workers)};
 }
 
 } // namespace gpr
