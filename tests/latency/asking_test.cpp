@@ -20,12 +20,14 @@ std::uint64_t blockNum = 0;
 
 } // namespace
 
-/// Called by the engine in each basic block; the name is a convention of compilers.
+/// Called by the engine in each basic block.
+// NOLINTBEGIN(bugprone-reserved-identifier): the name is a convention of compilers
 extern "C" void __sanitizer_cov_trace_pc();
 extern "C" void __sanitizer_cov_trace_pc()
 {
 	++blockNum;
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace gpr::test {
 

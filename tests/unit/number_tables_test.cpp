@@ -4,6 +4,7 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/input/edge_table.h>
 
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -18,6 +19,7 @@ TEST(SortUniqueBelow, GivesTheSameForFewAndForMany)
 	constexpr int end = 1000;
 	for (const int num : {0, 1, 20, 62, 63, 500, 5000}) {
 		std::vector<int> list;
+		list.reserve(std::size_t(num));
 		for (int i = 0; i < num; ++i)
 			list.push_back(int(random.between(0, end)));
 		std::vector<int> wanted = list;

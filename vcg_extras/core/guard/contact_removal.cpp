@@ -267,6 +267,7 @@ void makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMes
 	constexpr int finer = 3;
 	making.finer        = finer;
 	std::vector<FacePair> places; // a patch round each face
+	places.reserve(faces.size());
 	for (int f : faces)
 		places.emplace_back(f, f);
 	const InputContacts ofInput =

@@ -711,6 +711,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	});
 
 	std::vector<BlockSampler> samplers;
+	samplers.reserve(std::size_t(workers.threadNum()));
 	for (int worker = 0; worker < workers.threadNum(); ++worker)
 		samplers.emplace_back(shared, workers, worker);
 	for (int s = 0; s < result.boundarySampleNum; ++s) {
