@@ -524,11 +524,11 @@ TEST(CountTouchingPairs, AgreesWithTheSearchOverAllFaces)
 	ASSERT_FALSE(found.empty());
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
-	const FaceBoxes boxes(m, workers);
+	const FacesInSpace space(m, workers);
 	for (int f = 0; f < m.faceNum; ++f) {
 		const bool intersects = std::binary_search(found.begin(), found.end(), f);
 		EXPECT_EQ(countTouchingPairs(m, {f}, all) > 0, intersects) << f;
-		EXPECT_EQ(countTouchingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, intersects) << f;
+		EXPECT_EQ(countTouchingPairs(m, {f}, space.near(boxOfFace(m, f))) > 0, intersects) << f;
 	}
 	int sum = 0;
 	for (int f : found)

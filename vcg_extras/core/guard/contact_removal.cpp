@@ -261,7 +261,7 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 	return outcome;
 }
 
-void makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMesh& result,
+bool makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMesh& result,
 			   Workers& workers)
 {
 	constexpr int finer = 3;
@@ -272,7 +272,7 @@ void makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMes
 		places.emplace_back(f, f);
 	const InputContacts ofInput =
 		contactsOfInput(making, findTouchingPairs(result.mesh, workers), result, workers);
-	fillPatches(making, ofInput, places, result, workers);
+	return !fillPatches(making, ofInput, places, result, workers).isCapped;
 }
 
 } // namespace gpr

@@ -39,8 +39,9 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 /// Makes patches round some faces anew in the same way, with three times the vertices: where the
 /// result is far from the input and no single change brings it nearer, as in folds that have become
 /// tangled. A patch that would touch itself or its surroundings stays as it was. Cost: as
-/// removeContacts, without whole components.
-void makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMesh& result,
+/// removeContacts, without whole components. False if patches were left out, since the work would
+/// be too much.
+bool makeFiner(MakingOfVertices making, const std::vector<int>& faces, ResultMesh& result,
 			   Workers& workers);
 
 } // namespace gpr

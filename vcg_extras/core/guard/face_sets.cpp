@@ -19,6 +19,11 @@ std::vector<int> markedFaces(const std::vector<char>& marked)
 	return faces;
 }
 
+bool hasOnlyMarked(const HalfEdgeMesh& m, int v, const std::vector<char>& marked)
+{
+	return !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
+}
+
 std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int rings)
 {
 	for (int ring = 0; ring < rings; ++ring)

@@ -14,6 +14,9 @@ namespace gpr {
 /// The faces with a mark.
 std::vector<int> markedFaces(const std::vector<char>& marked);
 
+/// Whether all faces at a living vertex have a mark.
+bool hasOnlyMarked(const HalfEdgeMesh& mesh, int v, const std::vector<char>& marked);
+
 /// Adds the faces at the vertices of the faces, `rings` times.
 std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings);
 

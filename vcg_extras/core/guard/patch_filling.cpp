@@ -65,7 +65,7 @@ int insideNum(const HalfEdgeMesh& m, const std::vector<char>& marked)
 {
 	int num = 0;
 	for (int v = 0; v < m.vertexNum; ++v)
-		num += m.outgoing[v] >= 0 && !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
+		num += m.outgoing[v] >= 0 && hasOnlyMarked(m, v, marked);
 	return num;
 }
 

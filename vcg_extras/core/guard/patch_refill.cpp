@@ -393,9 +393,7 @@ bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int ring
 std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 						   const std::vector<char>& marked)
 {
-	const auto isInside = [&](int v) {
-		return !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
-	};
+	const auto isInside = [&](int v) { return hasOnlyMarked(m, v, marked); };
 	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
 	return vertices;
 }

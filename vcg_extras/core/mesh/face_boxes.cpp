@@ -120,16 +120,6 @@ void FaceBoxes::grow(int i, const Box<float>& box)
 	}
 }
 
-std::vector<int> FaceBoxes::meeting(const Box<float>& box) const
-{
-	std::vector<int> found;
-	forEachMeeting(box, [&](int place) {
-		found.push_back(face_[place]);
-		return true;
-	});
-	return found;
-}
-
 // ---- while the mesh changes
 
 FacesInSpace::FacesInSpace(const HalfEdgeMesh& mesh, Workers& workers) :

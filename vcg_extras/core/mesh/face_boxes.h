@@ -31,10 +31,6 @@ public:
 	/// Takes only faces that may meet a wanted face (a mark of 1 per face; empty: all are wanted).
 	FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 
-	/// Faces whose boxes met `box` at the time of building; in the order of the tree. Cost:
-	/// O(log F) a face.
-	std::vector<int> meeting(const Box<float>& box) const;
-
 	/// Calls visit(i) for the places i of faces whose boxes meet `box`, until visit returns false.
 	/// Cost: O(log F) a face.
 	template <class Visit>

@@ -258,6 +258,11 @@ void tellRegularNum(RunContext& run, Products& made)
 			 std::to_string(2 * made.regularNum) + " faces) are forecast to " + gain + ".");
 }
 
+MakingOfVertices makingOf(const RunContext& run, const Products& made)
+{
+	return {made.surface, made.curves, made.sizes.kept, isFitted(run.options), *run.options.adapt};
+}
+
 } // namespace
 
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
@@ -338,15 +343,6 @@ void repairAngles(RunContext& run, Products& made)
 	made.poor = {};
 }
 
-namespace {
-
-MakingOfVertices makingOf(const RunContext& run, const Products& made)
-{
-	return {made.surface, made.curves, made.sizes.kept, isFitted(run.options), *run.options.adapt};
-}
-
-} // namespace
-
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.hasMadeVertices      = false;
@@ -393,8 +389,10 @@ RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& m
 	const GoalRefinement refined =
 		refineToGoal(made.surface, made.curves, largest, made.result, run.workers);
 	made.refined = refined.outcome;
-	if (run.options.guard && !refined.farFaces.empty())
-		makeFiner(makingOf(run, made), refined.farFaces, made.result, run.workers);
+	if (run.options.guard && !refined.farFaces.empty()) {
+		if (!makeFiner(makingOf(run, made), refined.farFaces, made.result, run.workers))
+			run.tellCap("patches made anew");
+	}
 	return {int(made.result.vertexNum() - before), true};
 }
 
