@@ -8,7 +8,7 @@
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/guard/guarded_decimation.h>
+#include <vcg_extras/core/guard/cube_decimation.h>
 
 #include <gtest/gtest.h>
 #include <vector>

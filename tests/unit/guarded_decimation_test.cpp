@@ -8,7 +8,9 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/guard/cube_decimation.h>
 #include <vcg_extras/core/guard/guarded_relaxation.h>
+#include <vcg_extras/core/guard/space_grid.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -263,6 +265,124 @@ TEST(Components, AreNumberedByTheirFirstFaces)
 	EXPECT_EQ(found.num, 2);
 	EXPECT_EQ(found.ofFace.front(), 0);
 	EXPECT_EQ(std::count(found.ofFace.begin(), found.ofFace.end(), 1), 20);
+}
+
+// ---- in cubes
+
+namespace {
+
+/// Two walls nearer to each other than the edges are long, with enough vertices for cubes, open at
+/// one end.
+TriangleMesh largePipe()
+{
+	return joined(openCylinder(400, 160, 0.3, 1), insideOut(openCylinder(400, 160, 0.299, 1)));
+}
+
+std::size_t pointNum(const GuardedMesh& g)
+{
+	std::size_t num = 0;
+	for (const GuardedVertex& v : g.vertex)
+		num += v.points.size();
+	return num;
+}
+
+double areaOf(const GuardedMesh& g)
+{
+	double area = 0;
+	for (const GuardedVertex& v : g.vertex)
+		area += double(v.area);
+	return area;
+}
+
+} // namespace
+
+TEST(CubeDecimation, LosesNoPointAndMakesNoContact)
+{
+	const TriangleMesh mesh = largePipe();
+	Workers            workers(2, nullptr);
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	const std::size_t  points = pointNum(g);
+	const double       area   = areaOf(g);
+	ASSERT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	GuardedSettings settings = settingsFor(mesh, 1000);
+	EXPECT_TRUE(decimateGuarded(settings, g, workers));
+	EXPECT_EQ(g.mesh.vertexNum, 1000);
+	EXPECT_EQ(pointNum(g), points);
+	EXPECT_NEAR(areaOf(g), area, 1e-4 * area);
+	EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	EXPECT_TRUE(isSoundSurface(meshOf(g.mesh)));
+	EXPECT_TRUE(hasSameTopology(mesh, meshOf(g.mesh)));
+}
+
+TEST(CubeDecimation, KeepsFixedVertices)
+{
+	const TriangleMesh mesh = largePipe();
+	Workers            workers(2, nullptr);
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	std::vector<Vec3f> kept;
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		if (v % 97 != 0) continue;
+		g.vertex[v].isFixed = true;
+		kept.push_back(g.mesh.position[v]);
+	}
+	EXPECT_TRUE(decimateGuarded(settingsFor(mesh, std::int64_t(kept.size()) + 500), g, workers));
+	std::vector<Vec3f> left;
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		if (g.isFixed(v)) left.push_back(g.mesh.position[v]);
+	}
+	EXPECT_EQ(left, kept);
+	EXPECT_TRUE(isSoundSurface(meshOf(g.mesh)));
+}
+
+/// The lowest point of the planes round a bump lies above the bump, here beyond a side of the cube.
+TEST(CubeDecimation, KeepsMergedVerticesInTheirCube)
+{
+	TriangleMesh bumps = grid(150, 150, 2, 2);
+	for (Vec3d& p : bumps.positions)
+		p = {p.x - 1, p.y - 1, -1e-5 - 0.02 * (2 - std::cos(30 * p.x) - std::cos(30 * p.y))};
+	const SpaceGrid space({{-1, -1, -1}, {1, 1, 1}}, 2);
+	Workers         workers(2, nullptr);
+	GuardedMesh     g(halfEdgesOf(bumps), false);
+	GuardedSettings settings = settingsFor(bumps, 1000);
+	settings.grid            = &space;
+	settings.cube            = space.cubeOf({-0.5f, -0.5f, -0.5f});
+	const int before         = g.mesh.vertexNum;
+	collapseStrictly(settings, g, workers);
+	g.compact(workers);
+	EXPECT_LT(g.mesh.vertexNum, before);
+	for (int v = 0; v < g.mesh.vertexNum; ++v)
+		ASSERT_LT(g.mesh.position[v].z, 0);
+}
+
+TEST(CubeDecimation, DoesNotDependOnThreads)
+{
+	const TriangleMesh mesh = largePipe();
+	std::vector<Vec3f> first;
+	for (const int threads : {1, 4}) {
+		Workers     workers(threads, nullptr);
+		GuardedMesh g(halfEdgesOf(mesh), false);
+		decimateGuarded(settingsFor(mesh, 1000), g, workers);
+		const std::vector<Vec3f> places(g.mesh.position.begin(),
+										g.mesh.position.begin() + g.mesh.vertexNum);
+		if (first.empty()) first = places;
+		EXPECT_EQ(places, first);
+	}
+}
+
+TEST(SpaceGrid, HasEachPointInOneCubeAndEachBoxInItsCubes)
+{
+	const SpaceGrid grid({{-1, -1, -1}, {3, 1, 0}}, 4);
+	EXPECT_EQ(grid.cubeNum(), 4 * 2 * 1);
+	EXPECT_EQ(grid.cubeNumOfEdge(), 4);
+	EXPECT_EQ(grid.cubeNumOfSide(), 8);
+	EXPECT_EQ(grid.cubeOf({-5, -5, -5}), 0);
+	EXPECT_EQ(grid.cubeOf({9, 9, 9}), 7);
+	EXPECT_NE(grid.cubeOf({0, -1, -1}), grid.cubeOf({-0.001f, -1, -1}));
+	const Box<float> box({-0.5f, -0.5f, -0.5f}, {1.5f, 0.5f, -0.5f});
+	std::vector<int> met;
+	grid.forEachCube(box, [&](int cube) { met.push_back(cube); });
+	EXPECT_EQ(met, (std::vector<int>{0, 1, 2, 4, 5, 6}));
+	EXPECT_EQ(grid.cubeNumOf(box), 6);
 }
 
 } // namespace gpr::test

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_removal.h"
 
-#include "guarded_decimation.h"
+#include "cube_decimation.h"
 #include "guarded_relaxation.h"
 #include "input_contacts.h"
 #include "patch_rounds.h"

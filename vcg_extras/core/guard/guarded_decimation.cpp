@@ -3,6 +3,7 @@
 #include "guarded_decimation.h"
 
 #include "contact_guard.h"
+#include "space_grid.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
@@ -36,6 +37,8 @@ constexpr std::array<Bounds, 8> boundsOfRounds = {{{0.35f, 0.5f, 0.2f, 0.02f},
 												   {0.1f, 0.5f, 0.2f, 0.4f},
 												   {0.03f, 0.1f, 0.05f, 0.4f},
 												   {0.01f, 0.02f, 0, HUGE_VALF}}};
+
+constexpr std::size_t strictRounds = 2;
 
 /// So few vertices hardly ever make a shape close to the surface: at last only topology and
 /// contacts count.
@@ -93,19 +96,15 @@ class Decimation {
 public:
 	Decimation(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers) :
 			settings_(settings), g_(guarded), m_(guarded.mesh), workers_(workers),
-			guard_(m_, g_.hadContacts, workers), livingNum_(m_.vertexNum),
+			guard_(m_, g_.hadContacts, workers), livingNum_(m_.vertexNum), firstNum_(livingNum_),
 			hasFlat_(zeroAreaFaceNum(m_, workers) > 0), stamp_(std::size_t(m_.vertexNum), 0)
 	{
 	}
 
 	bool run()
 	{
-		firstNum_  = livingNum_;
 		borderNum_ = numberToGo();
-		for (const Bounds& bounds : boundsOfRounds) {
-			bounds_ = bounds;
-			while (collapseAll() > livingNum_ / leastShare) {}
-		}
+		runRounds(boundsOfRounds.size());
 		while (collapseAll() > 0) {}
 		if (settings_.targetNum <= mostOfAnyShape) {
 			bounds_ = anyShape;
@@ -115,6 +114,14 @@ public:
 		return livingNum_ <= settings_.targetNum;
 	}
 
+	void runRounds(std::size_t num)
+	{
+		for (std::size_t round = 0; round < num; ++round) {
+			bounds_ = boundsOfRounds[round];
+			while (collapseAll() > livingNum_ / leastShare) {}
+		}
+	}
+
 private:
 	const GuardedSettings& settings_;
 	GuardedMesh&           g_;
@@ -122,7 +129,7 @@ private:
 	Workers&               workers_;
 	ContactGuard           guard_;
 	std::int64_t           livingNum_; ///< vertices now
-	std::int64_t           firstNum_  = 0;
+	std::int64_t           firstNum_;
 	std::int64_t           borderNum_ = 0;     ///< vertices to remove from a kept border
 	bool                   isForced_  = false; ///< remove only these vertices, even with contacts
 	/// The first mesh had degenerate faces. A result must not have such faces, so these go first.
@@ -303,6 +310,7 @@ private:
 		for (int i = 0; i < places.num; ++i) {
 			const auto& [squaredByArea, place] = places.at[i];
 			if (isTooFar(merge, squaredByArea)) return;
+			if (!isInCube(place)) continue;
 			if (!makeTriangles(merge, place)) continue;
 			const bool isTested = !isForced_ && !isUntested(merge, squaredByArea);
 			if (isTested && !guard_.allows(made_, gone_)) continue;
@@ -327,6 +335,11 @@ private:
 	bool isTooFar(const Merge& merge, double squaredByArea) const
 	{
 		return isBeyond(double(boundsOf(merge).distance), merge, squaredByArea);
+	}
+
+	bool isInCube(const Vec3f& place) const
+	{
+		return settings_.grid == nullptr || settings_.grid->cubeOf(place) == settings_.cube;
 	}
 
 	bool isUntested(const Merge& merge, double squaredByArea) const
@@ -520,11 +533,14 @@ void GuardedMesh::compact(Workers& workers)
 	vertex = std::move(living);
 }
 
-bool decimateGuarded(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)
+bool collapseGuarded(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)
 {
-	const bool isReached = Decimation(settings, guarded, workers).run();
-	guarded.compact(workers);
-	return isReached;
+	return Decimation(settings, guarded, workers).run();
+}
+
+void collapseStrictly(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)
+{
+	Decimation(settings, guarded, workers).runRounds(strictRounds);
 }
 
 } // namespace gpr

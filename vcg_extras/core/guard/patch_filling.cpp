@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_filling.h"
 
+#include "cube_decimation.h"
 #include "face_sets.h"
 #include "guarded_relaxation.h"
 
