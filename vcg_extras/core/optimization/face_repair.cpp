@@ -30,11 +30,12 @@ struct Few {
 /// angle. With more inverted faces, moves, which cost most, are left out. Such a mesh has contacts
 /// in many places, so changes may then make contacts.
 constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
-/// With a larger share of inverted faces before the fit, where vertices may not go, most triangles
-/// are too wide for the surface. The guard then makes most of the mesh anew, and a search with the
-/// whole budget takes longer than the rest of the run, at the same result.
-constexpr float        mostInverted   = 0.25f;
-constexpr std::int64_t partIfHopeless = 16;
+/// Work of a search for inverted faces, in units of searchWork: a tenth of a second and more with
+/// more faces. Where this ends a search, most of the surface is thinner than the triangles are
+/// wide, and the guard makes most of the mesh anew. More work there takes away thin parts by
+/// collapses: with six times as much, the distance from a slab of an MRI head was up to a fifth
+/// larger.
+constexpr std::int64_t leastForInverted = 3'000'000, perFaceForInverted = 50;
 /// Operations that change the count are tried at few faces, because each must be compensated at
 /// another place. Pairs in a row, which take some hundred trials, are tried only with at most this
 /// many faces left.
@@ -309,14 +310,12 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 						 ResultMesh& result, Workers& workers)
 {
 	turnTetrahedra(surface, result, workers);
-	std::int64_t work = searchWork(result.mesh.faceNum);
+	std::int64_t work = leastForInverted + perFaceForInverted * result.mesh.faceNum;
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const Goal   goal = invertedFaces(search, mayCollapse);
 	// Degenerate faces are among these.
 	const std::size_t invertedNum = search.findBad(goal).size();
-	if (!mayCollapse && float(invertedNum) > mostInverted * float(result.mesh.faceNum))
-		work /= partIfHopeless;
-	const bool isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
+	const bool        isDone = invertedNum == 0 || repairOrientation(search, goal, invertedNum);
 	if (mayCollapse)
 		compactResult(result, workers);
 	else if (invertedNum > 0)
