@@ -86,10 +86,18 @@ const AskingCase cases[] = {
 	 2 * mostOnCleanMeshes},
 	{"FewVertices", [] { return torus(400, 200); }, [](RemeshOptions& o) { o.targetPercent = 1; },
 	 mostOnCleanMeshes},
+	{"DisksAsLargeAsTheSurface", [] { return icosphere(7); },
+	 [](RemeshOptions& o) {
+		 o.targetMode      = TargetMode::VertexNum;
+		 o.targetVertexNum = 6;
+	 },
+	 2 * mostOnCleanMeshes},
 	{"LargestError", [] { return icosphere(6); }, searchError, 2 * mostOnCleanMeshes},
 	{"TenThousandHoles", tenThousandHoles, keep, mostAtFaults},
 	{"WallsInContact", wallsInContact, keep, mostAtFaults},
 	{"ThinPlate", [] { return thinPlate(200, 1e-3); }, keep, mostAtFaults},
+	{"ThinPlateToFewVertices", [] { return thinPlate(250, 1e-3); },
+	 [](RemeshOptions& o) { o.targetPercent = 0.5; }, mostAtFaults},
 	{"DamagedMesh", damagedTorus, keep, mostAtFaults},
 	{"LooseTriangles", looseTriangles, keep, mostAtFaults},
 };

@@ -14,15 +14,17 @@ namespace gpr {
 /// thread.
 class Poller {
 public:
-	explicit Poller(Workers& workers) : workers_(workers) {}
+	/// worker: the thread that calls count.
+	explicit Poller(Workers& workers, int worker = 0) : workers_(&workers), worker_(worker) {}
 
 	void count()
 	{
-		if ((++callNum_ & 0xffff) == 0) workers_.poll();
+		if ((++callNum_ & 0xffff) == 0) workers_->pollFrom(worker_);
 	}
 
 private:
-	Workers&    workers_;
+	Workers*    workers_;
+	int         worker_;
 	std::size_t callNum_ = 0;
 };
 

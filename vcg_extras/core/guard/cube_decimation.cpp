@@ -89,8 +89,7 @@ private:
 
 	bool mayGo(int v) const
 	{
-		return !g_.isFixed(v) &&
-			   !anyNeighbour(m_, v, [&](int w) { return cube_[w] != cube_[v]; });
+		return !g_.isFixed(v) && !anyNeighbour(m_, v, [&](int w) { return cube_[w] != cube_[v]; });
 	}
 
 	void sortFaces()
@@ -166,11 +165,9 @@ private:
 	void putBack(int cube, CubePart& part)
 	{
 		if (part.freeNum == 0) return;
-		const HalfEdgeMesh& from    = part.guarded.mesh;
-		const auto          inWhole = [&](int h) {
-            return h < 0 ? -1 : 3 * part.face[h / 3] + h % 3;
-		};
-		const auto isIn = [&](int v) { return cube_[v] == cube; };
+		const HalfEdgeMesh& from = part.guarded.mesh;
+		const auto inWhole       = [&](int h) { return h < 0 ? -1 : 3 * part.face[h / 3] + h % 3; };
+		const auto isIn          = [&](int v) { return cube_[v] == cube; };
 		for (int f = 0; f < from.faceNum; ++f) {
 			const int  first = 3 * part.face[f];
 			const bool in[3] = {isIn(m_.origin[first]), isIn(m_.origin[first + 1]),
@@ -215,9 +212,8 @@ SpaceGrid gridFor(const HalfEdgeMesh& m, Workers& workers)
 
 bool areFacesSmall(const HalfEdgeMesh& m, const SpaceGrid& grid, Workers& workers)
 {
-	const auto num = workers.sumEach<std::int64_t>(m.faceNum, [&](int f, std::int64_t& part) {
-		part += grid.cubeNumOf(boxOfFace(m, f));
-	});
+	const auto num = workers.sumEach<std::int64_t>(
+		m.faceNum, [&](int f, std::int64_t& part) { part += grid.cubeNumOf(boxOfFace(m, f)); });
 	return double(num) <= mostCubesOfFace * double(m.faceNum);
 }
 
@@ -227,7 +223,8 @@ void decimateInCubes(const GuardedSettings& settings, GuardedMesh& guarded, Work
 	for (double gain = 1; gain > leastGain;) {
 		const HalfEdgeMesh& m   = guarded.mesh;
 		const double        num = m.vertexNum;
-		const double share = std::max(leastThatStays, leftForEach * double(settings.targetNum) / num);
+		const double        share =
+			std::max(leastThatStays, leftForEach * double(settings.targetNum) / num);
 		if (share > mostThatStays) return;
 		const SpaceGrid grid = gridFor(m, workers);
 		if (grid.cubeNumOfEdge() < fewestCubes || !areFacesSmall(m, grid, workers)) return;

@@ -222,6 +222,7 @@ void runPass(const HalfEdgeMesh& m, const ColouredGrid& cells, const PassRules& 
 			const GridCell& cell = sameColour[i];
 			for (int k = cell.begin; k < cell.end; ++k) {
 				const int v = cells.vertices[k];
+				if (k % 1024 == 0) workers.pollFrom(worker); // a cell may be the whole surface
 				if (isThere[k] && reachesRing(cell, m, v) && removers[worker].remove(v, rules))
 					isThere[k] = 0;
 			}

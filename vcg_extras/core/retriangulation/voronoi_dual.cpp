@@ -3,6 +3,7 @@
 #include "voronoi_dual.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -201,8 +202,8 @@ private:
 		inCell.reserve(vertices.size());
 		for (int v : vertices)
 			inCell.push_back({labelOf(v), v});
-		std::sort(inCell.begin(), inCell.end());
-		std::vector<std::size_t> first; // of each cell
+		sortPolled(inCell.begin(), inCell.end(), workers_); // a cell may be the whole surface
+		std::vector<std::size_t> first;                     // of each cell
 		for (std::size_t i = 0; i < inCell.size(); ++i) {
 			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
 		}

@@ -62,6 +62,7 @@ public:
 			fused_(beginFusion(surface, workers)), m_(fused_.mesh),
 			flood_(FloodGround{m_, normal_, isStretched() ? &stretch_ : nullptr, false}, field_, r_)
 	{
+		flood_.askFrom(workers, 0);
 		expected_ = expectedSampleNum();
 		growTo(m_.vertexNum + int(boundary.samples.size()) + expected_);
 		fillPerVertex();

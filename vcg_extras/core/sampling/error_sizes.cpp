@@ -5,6 +5,7 @@
 #include "size_grading.h"
 #include "target.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/cut_mesh.h>
 
@@ -87,13 +88,14 @@ public:
 
 	explicit Disk(const HalfEdgeMesh& mesh) : mesh_(mesh), isMember_(std::size_t(mesh.vertexNum)) {}
 
-	void collect(int centre, float radius)
+	void collect(int centre, float radius, Poller& poller)
 	{
 		forget();
 		const Vec3f middle = mesh_.position[centre];
 		squaredRadius_     = radius * radius;
 		add({0, centre, Vec3f()});
 		for (std::size_t next = 0; next < members_.size(); ++next) {
+			poller.count(); // a disk may be the whole surface
 			const Member from = members_[next];
 			forEachNeighbour(mesh_, from.vertex, [&](int w) {
 				const Vec3f to       = mesh_.position[w] - middle;
@@ -107,10 +109,11 @@ public:
 	}
 	/// Collects all edges of the members from `first` to before `end`, each once, from its nearer
 	/// end: the extent of a smaller disk needs the edges of its own members only.
-	void collectEdges(std::size_t first, std::size_t end)
+	void collectEdges(std::size_t first, std::size_t end, Poller& poller)
 	{
 		const Vec3f middle = mesh_.position[members_[0].vertex];
 		for (std::size_t i = first; i < end; ++i) {
+			poller.count();
 			const Member& from = members_[i];
 			forEachNeighbour(mesh_, from.vertex, [&](int w) {
 				const Vec3f to       = mesh_.position[w] - middle;
@@ -121,9 +124,10 @@ public:
 		}
 	}
 	void forgetEdges() { edges_.clear(); }
-	void sortByDistance()
+	void sortByDistance(Poller& poller)
 	{
-		std::sort(members_.begin() + 1, members_.end(), [](const Member& a, const Member& b) {
+		std::sort(members_.begin() + 1, members_.end(), [&](const Member& a, const Member& b) {
+			poller.count();
 			return a.squaredDistance != b.squaredDistance ? a.squaredDistance < b.squaredDistance
 														  : a.vertex < b.vertex;
 		});
@@ -214,15 +218,18 @@ private:
 /// fitted to the vertices would fail: round the rim of a thin sheet the fit is the sheet itself.
 class FlatnessGauge {
 public:
-	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<RingSum>& ring, const Radii& radii) :
-			ring_(ring), radii_(radii), disk_(mesh)
+	/// worker: the thread that measures.
+	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<RingSum>& ring, const Radii& radii,
+				  Workers& workers, int worker) :
+			ring_(ring),
+			radii_(radii), disk_(mesh), poller_(workers, worker)
 	{
 	}
 
 	/// Flatness of the largest disk about a vertex; 0 if its normals prove flatness within epsilon.
 	float ofLargest(int v, float epsilon)
 	{
-		disk_.collect(v, radii_.back());
+		disk_.collect(v, radii_.back(), poller_);
 		if (areNormalsClose(sinePerSlope * epsilon / radii_.back())) return 0;
 		Vec3f sum;
 		for (const Disk::Member& m : disk_.members())
@@ -234,7 +241,7 @@ public:
 	Flatness ofAll(float enough)
 	{
 		disk_.forgetEdges();
-		disk_.sortByDistance();
+		disk_.sortByDistance(poller_);
 		const std::vector<Disk::Member>& members = disk_.members();
 		Flatness                         flatness;
 		Vec3f                            sum;
@@ -246,7 +253,7 @@ public:
 				const std::size_t before  = num;
 				while (num < members.size() && members[num].squaredDistance <= squared)
 					sum += ring_[members[num++].vertex].normal;
-				disk_.collectEdges(before, num);
+				disk_.collectEdges(before, num, poller_);
 				soFar = std::max(soFar, disk_.halfExtent(radii_[k], normalized(sum)));
 			}
 			flatness[k] = soFar;
@@ -258,6 +265,7 @@ private:
 	const Buffer<RingSum>& ring_;
 	const Radii&           radii_;
 	Disk                   disk_;
+	Poller                 poller_;
 
 	/// Whether all normals of the disk turn from the normal of its centre by at most the angle with
 	/// this sine.
@@ -558,8 +566,10 @@ private:
 	{
 		constexpr std::size_t grain = 16; // disks may be large
 		// A gauge has a bit for each vertex, so each thread keeps its gauge.
-		std::vector<FlatnessGauge>     gauges(std::size_t(workers_.threadNum()),
-											  FlatnessGauge(mesh_, ring_, radii_));
+		std::vector<FlatnessGauge> gauges;
+		gauges.reserve(std::size_t(workers_.threadNum()));
+		for (int worker = 0; worker < workers_.threadNum(); ++worker)
+			gauges.emplace_back(mesh_, ring_, radii_, workers_, worker);
 		std::vector<std::vector<Bent>> part((num + grain - 1) / grain);
 		workers_.forTasks(part.size(), [&](std::size_t p, int worker) {
 			for (std::size_t i = p * grain; i < std::min(num, (p + 1) * grain); ++i)
