@@ -84,7 +84,7 @@ public:
 	void decimate()
 	{
 		HalfEdgeMesh together = putTogether();
-		made_.guarded         = std::make_unique<GuardedMesh>(std::move(together), hadContacts_);
+		made_.guarded = std::make_unique<GuardedMesh>(std::move(together), hadContacts_, &workers_);
 		fixVertices();
 		decimateGuarded(settingsFor(making_, result_, lengthWeight()), *made_.guarded, workers_);
 	}

@@ -473,13 +473,13 @@ void addBorder(const HalfEdgeMesh& m, int h, const std::vector<int>& name, Guard
 
 } // namespace
 
-GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
+GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts, Workers* asked) :
 		mesh(std::move(from)), vertex(std::size_t(mesh.vertexNum)), hadContacts(hasContacts)
 {
 	mesh.crease.reset(std::size_t(mesh.halfEdgeNum()));
 	for (int h = 0; h < mesh.halfEdgeNum(); ++h)
 		mesh.crease[h] = char(mesh.isBorderEdge(h));
-	assign(mesh, numbersBelow(vertex.size()));
+	assign(mesh, numbersBelow(vertex.size()), asked);
 	mesh.crease.release();
 	for (int v = 0; v < mesh.vertexNum; ++v) {
 		vertex[v].anchor      = v;
@@ -487,7 +487,7 @@ GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 	}
 }
 
-void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name)
+void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name, Workers* asked)
 {
 	for (int v : name) {
 		if (v < 0) continue;
@@ -501,6 +501,7 @@ void GuardedMesh::assign(const HalfEdgeMesh& other, const std::vector<int>& name
 		if (name[v] >= 0) vertex[name[v]].points.push_back(other.position[v]);
 	}
 	for (int f = 0; f < other.faceNum; ++f) {
+		if (f % 65536 == 0 && asked != nullptr) asked->poll();
 		addFace(other, f, name, *this);
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
 			if (other.isBorderEdge(h) && other.isCreaseEdge(h)) addBorder(other, h, name, *this);

@@ -48,13 +48,14 @@ struct GuardedMesh {
 
 	/// Without a mesh.
 	explicit GuardedMesh(bool hasContacts) : hadContacts(hasContacts) {}
-	/// From a mesh without dead faces. Each vertex is its own anchor.
-	GuardedMesh(HalfEdgeMesh from, bool hasContacts);
+	/// From a mesh without dead faces. Each vertex is its own anchor. asked: whether to go on; may
+	/// be null, here and below.
+	GuardedMesh(HalfEdgeMesh from, bool hasContacts, Workers* asked = nullptr);
 
 	/// Assigns the surface of another mesh to the vertices, in place of their own faces. name: per
 	/// vertex of the other mesh, its vertex here or -1. Border edges of the other mesh count if
 	/// marked as creases.
-	void assign(const HalfEdgeMesh& other, const std::vector<int>& name);
+	void assign(const HalfEdgeMesh& other, const std::vector<int>& name, Workers* asked = nullptr);
 
 	/// Whether the cosine between a normal, of any length, and the assigned normals of three
 	/// vertices exceeds `cosine`. another: a fourth vertex with a share, or -1. True at a rim so

@@ -113,9 +113,9 @@ public:
 
 	void take(const std::vector<int>& keptInput, bool hasContacts, RefilledMesh& to)
 	{
-		to.guarded = std::make_unique<GuardedMesh>(std::move(mesh_), hasContacts);
+		to.guarded = std::make_unique<GuardedMesh>(std::move(mesh_), hasContacts, &workers_);
 		// In place of the triangles of the first filling or of the result.
-		to.guarded->assign(local_.mesh, nameOfLocal_);
+		to.guarded->assign(local_.mesh, nameOfLocal_, &workers_);
 		fix(keptInput, *to.guarded);
 		to.resultVertex = std::move(resultVertex_);
 		to.inputVertex  = std::move(inputVertex_);

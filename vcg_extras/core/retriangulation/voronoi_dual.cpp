@@ -236,17 +236,21 @@ private:
 	/// nearest to the sample, and returns these vertices. Vertices of curves keep their label.
 	std::vector<int> takeCutOff()
 	{
+		Buffer<char>     isReached(std::size_t(m_.vertexNum), 0);
 		std::vector<int> cutOff = collectByCell(
-			verticesOf(bad_),
-			[&](const std::vector<int>& cell, std::vector<int>& found) { addCutOff(cell, found); });
+			verticesOf(bad_), [&](const std::vector<int>& cell, std::vector<int>& found) {
+				addCutOff(cell, isReached, found);
+			});
 		std::sort(cutOff.begin(), cutOff.end());
 		for (int v : cutOff)
 			label_[v] = -1;
 		return cutOff;
 	}
 
-	/// Appends the cut-off vertices of a cell; `cell` has its vertices, ascending.
-	void addCutOff(const std::vector<int>& cell, std::vector<int>& cutOff) const
+	/// Appends the cut-off vertices of a cell, and marks its other vertices as reached. Other cells
+	/// may be looked at by other threads.
+	void addCutOff(const std::vector<int>& cell, Buffer<char>& isReached,
+				   std::vector<int>& cutOff) const
 	{
 		const auto isFarther = [&](int v, int w) {
 			return sampling_.nearest[v].distance > sampling_.nearest[w].distance;
@@ -255,12 +259,10 @@ private:
 		for (int v : cell) {
 			if (isFarther(heart, v)) heart = v;
 		}
-		std::vector<char> isReached(cell.size(), 0);
-		std::vector<int>  queue;
-		const auto        reach = [&](int v) {
-            const int at = placeIn(cell, v);
-            if (isReached[at]) return;
-            isReached[at] = 1;
+		std::vector<int> queue;
+		const auto       reach = [&](int v) {
+            if (isReached[v]) return;
+            isReached[v] = 1;
             queue.push_back(v);
 		};
 		reach(heart);
@@ -271,8 +273,8 @@ private:
 				if (labelOf(w) == labelOf(heart)) reach(w);
 			});
 		}
-		for (std::size_t i = 0; i < cell.size(); ++i) {
-			if (!isReached[i] && !m_.isCurveVertex(cell[i])) cutOff.push_back(cell[i]);
+		for (int v : cell) {
+			if (!isReached[v] && !m_.isCurveVertex(v)) cutOff.push_back(v);
 		}
 	}
 
@@ -415,6 +417,7 @@ private:
 		if (edges.empty()) return false;
 		std::sort(edges.begin(), edges.end());
 		std::vector<int> ends;
+		ends.reserve(edges.size());
 		for (const auto& e : edges)
 			ends.push_back(e.second);
 		std::sort(ends.begin(), ends.end());
