@@ -4,7 +4,7 @@
 // The quick test whether a box meets any of many boxes.
 
 #include <tests/support/random_source.h>
-#include <vcg_extras/core/mesh/marked_cells.h>
+#include <vcg_extras/core/mesh/space_grid.h>
 
 #include <algorithm>
 #include <gtest/gtest.h>

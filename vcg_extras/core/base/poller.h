@@ -10,8 +10,7 @@
 
 namespace gpr {
 
-/// Polls the workers at every 65,536th call: for serial loops of millions of items in the calling
-/// thread.
+/// Polls the workers at every 65,536th call: for loops of millions of items in one thread.
 class Poller {
 public:
 	/// worker: the thread that calls count.

@@ -3,12 +3,12 @@
 #include "cube_decimation.h"
 
 #include "face_sets.h"
-#include "space_grid.h"
 #include "sparse_array.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/space_grid.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -96,7 +96,10 @@ private:
 	{
 		const std::vector<Place> all =
 			workers_.collectEach<Place>(std::size_t(m_.faceNum), [&](int f, auto& out) {
-				grid_.forEachCube(boxOfFace(m_, f), [&](int cube) { out.push_back({cube, f}); });
+				grid_.forEachCube(boxOfFace(m_, f), [&](int cube) {
+					out.push_back({cube, f});
+					return true;
+				});
 			});
 		sortIntoBuckets(
 			all.size(), std::size_t(grid_.cubeNum()), [&](int i) { return all[i]; },
@@ -201,9 +204,8 @@ private:
 /// A surface meets about as many cubes as lie on the largest side of the box.
 SpaceGrid gridFor(const HalfEdgeMesh& m, Workers& workers)
 {
-	const Box<float> box = workers.sumEach<Box<float>>(
-		m.vertexNum, [&](int v, Box<float>& part) { part.add(m.position[v]); });
-	int num = 1;
+	const Box<float> box = boxOfAll(m, workers);
+	int              num = 1;
 	while (num < mostCubes &&
 		   SpaceGrid(box, num).cubeNumOfSide() * vertexNumOfCube < double(m.vertexNum))
 		++num;

@@ -3,12 +3,12 @@
 #include "guarded_decimation.h"
 
 #include "contact_guard.h"
-#include "space_grid.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/space_grid.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +38,7 @@ constexpr std::array<Bounds, 8> boundsOfRounds = {{{0.35f, 0.5f, 0.2f, 0.02f},
 												   {0.03f, 0.1f, 0.05f, 0.4f},
 												   {0.01f, 0.02f, 0, HUGE_VALF}}};
 
+/// The rows of collapseStrictly.
 constexpr std::size_t strictRounds = 2;
 
 /// So few vertices hardly ever make a shape close to the surface: at last only topology and

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_boxes.h"
 
-#include "marked_cells.h"
 #include "mesh_edit.h"
+#include "space_grid.h"
 #include "spatial_order.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
@@ -19,13 +19,6 @@ namespace {
 constexpr int nowhere = -1, inList = -2;
 /// After so few changes the tree is not made anew, however small the mesh.
 constexpr std::size_t fewChanges = 256;
-
-Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
-{
-	return workers.sumEach<Box<float>>(m.vertexNum, [&](int v, Box<float>& part) {
-		if (m.outgoing[v] >= 0) part.add(m.position[v]);
-	});
-}
 
 /// Depth of the blocks: at most about twice as many blocks as faces; a surface fills few of the
 /// blocks.
@@ -70,6 +63,13 @@ Box<float> boxOfFace(const HalfEdgeMesh& m, int f)
 	box.add(m.position[c[1]]);
 	box.add(m.position[c[2]]);
 	return box;
+}
+
+Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sumEach<Box<float>>(m.vertexNum, [&](int v, Box<float>& part) {
+		if (m.outgoing[v] >= 0) part.add(m.position[v]);
+	});
 }
 
 Box<float> boxOfFaces(const HalfEdgeMesh& m, const std::vector<int>& faces)

@@ -16,6 +16,8 @@ namespace gpr {
 /// The box of a living face.
 Box<float> boxOfFace(const HalfEdgeMesh& mesh, int face);
 
+/// The box of all living vertices.
+Box<float> boxOfAll(const HalfEdgeMesh& mesh, Workers& workers);
 /// The box of some faces, without dead faces.
 Box<float> boxOfFaces(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 

@@ -62,7 +62,7 @@ public:
 			fused_(beginFusion(surface, workers)), m_(fused_.mesh),
 			flood_(FloodGround{m_, normal_, isStretched() ? &stretch_ : nullptr, false}, field_, r_)
 	{
-		flood_.askFrom(workers, 0);
+		flood_.askBy(Poller(workers));
 		expected_ = expectedSampleNum();
 		growTo(m_.vertexNum + int(boundary.samples.size()) + expected_);
 		fillPerVertex();

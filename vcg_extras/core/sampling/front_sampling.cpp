@@ -97,7 +97,7 @@ public:
 			nearLimit_((1 - spacingSlack) * shared.radius)
 	{
 		flood_.numberFrom(worker, workers.threadNum());
-		flood_.askFrom(workers, worker);
+		flood_.askBy(Poller(workers, worker));
 	}
 
 	std::int64_t fillNum() const { return fillNum_; }

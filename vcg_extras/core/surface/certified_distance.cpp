@@ -4,7 +4,7 @@
 
 #include "cover_bound.h"
 
-#include <vcg_extras/core/mesh/marked_cells.h>
+#include <vcg_extras/core/mesh/space_grid.h>
 
 #include <algorithm>
 #include <array>

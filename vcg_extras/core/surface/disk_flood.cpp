@@ -69,7 +69,7 @@ void DiskFlood::explore(const Sample& sample)
 	// Repeated visits come first, so that few vertices take over the longer way.
 	std::size_t again = 0;
 	for (std::size_t i = 0; i < reached_.size() || again < again_.size();) {
-		if ((i & 0xffff) == 0xffff && workers_ != nullptr) workers_->pollFrom(worker_);
+		if (poller_) poller_->count();
 		passOn(again < again_.size() ? again_[again++] : int(i++));
 	}
 	for (const Reached& r : reached_)

@@ -6,10 +6,11 @@
 #include "surface_point.h"
 #include "walk.h"
 
-#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/connect.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace gpr {
@@ -114,12 +115,8 @@ public:
 		step_  = step;
 	}
 
-	/// A disk may be as large as the surface: floods then ask from this thread whether to go on.
-	void askFrom(Workers& workers, int worker)
-	{
-		workers_ = &workers;
-		worker_  = worker;
-	}
+	/// A disk may be as large as the surface: floods then ask whether to go on.
+	void askBy(const Poller& poller) { poller_ = poller; }
 
 private:
 	/// A point of the surface from which ways go on straight.
@@ -141,10 +138,9 @@ private:
 	bool                        useChords_;
 	NearestField&               field_;
 	float                       radius_;
-	int                         flood_   = 0;
-	int                         step_    = 1;
-	Workers*                    workers_ = nullptr;
-	int                         worker_  = 0;
+	int                         flood_ = 0;
+	int                         step_  = 1;
+	std::optional<Poller>       poller_;
 	float                       scale_  = 1; ///< of lengths: 1 over the size of the sample explored
 	bool                        isFine_ = false; ///< new anchors are made
 	bool                        isFlat_ = false; ///< all ways so far are straight

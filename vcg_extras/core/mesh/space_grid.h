@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_GUARD_SPACE_GRID_H
-#define VCG_EXTRAS_CORE_GUARD_SPACE_GRID_H
+#ifndef VCG_EXTRAS_CORE_MESH_SPACE_GRID_H
+#define VCG_EXTRAS_CORE_MESH_SPACE_GRID_H
 
 #include <vcg_extras/core/base/box.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
@@ -34,16 +35,21 @@ public:
 
 	int cubeOf(const Vec3f& p) const { return index(at(p, 0), at(p, 1), at(p, 2)); }
 
-	/// Calls visit(cube) for all cubes that a box may meet.
+	/// Calls visit(cube) for all cubes that a box may meet, until visit returns false; returns
+	/// whether all of these cubes were visited.
 	template <class Visit>
-	void forEachCube(const Box<float>& box, const Visit& visit) const
+	bool forEachCube(const Box<float>& box, const Visit& visit) const
 	{
+		const int lowX = at(box.low, 0), highX = at(box.high, 0);
+		const int lowY = at(box.low, 1), highY = at(box.high, 1);
 		for (int z = at(box.low, 2); z <= at(box.high, 2); ++z) {
-			for (int y = at(box.low, 1); y <= at(box.high, 1); ++y) {
-				for (int x = at(box.low, 0); x <= at(box.high, 0); ++x)
-					visit(index(x, y, z));
+			for (int y = lowY; y <= highY; ++y) {
+				for (int x = lowX; x <= highX; ++x) {
+					if (!visit(index(x, y, z))) return false;
+				}
 			}
 		}
+		return true;
 	}
 	/// The number of these cubes.
 	std::int64_t cubeNumOf(const Box<float>& box) const
@@ -66,6 +72,40 @@ private:
 		const float along = (coordinate(p, axis) - coordinate(low_, axis)) * perUnit_;
 		return int(std::min(std::max(along, 0.0f), float(num_[axis] - 1)));
 	}
+};
+
+/// Marks in a coarse grid over a cube, for a quick test whether a box may meet any of many marked
+/// boxes. A mark covers all cubes of the grid where a small box may begin that meets the marked
+/// box, so that the test of a small box is a single look. Small enough to stay in the cache.
+class MarkedCells {
+public:
+	MarkedCells(const Vec3f& low, float side) :
+			grid_({low, low + Vec3f(side, side, side)}, cubeNum), width_(side / cubeNum),
+			isMarked_(cubeNum * cubeNum * cubeNum)
+	{
+	}
+
+	void mark(const Box<float>& box)
+	{
+		const Vec3f margin(width_, width_, width_);
+		grid_.forEachCube({box.low - margin, box.high}, [&](int cube) {
+			isMarked_[cube] = 1;
+			return true;
+		});
+	}
+
+	/// True for each box that meets a marked box.
+	bool mayMeet(const Box<float>& box) const
+	{
+		if (box.largestSide() <= 0.99f * width_) return isMarked_[grid_.cubeOf(box.low)] != 0;
+		return !grid_.forEachCube(box, [&](int cube) { return isMarked_[cube] == 0; });
+	}
+
+private:
+	static constexpr int cubeNum = 64; // along each axis
+	SpaceGrid            grid_;
+	float                width_; ///< of a cube
+	std::vector<char>    isMarked_;
 };
 
 } // namespace gpr
