@@ -12,7 +12,6 @@
 #include "reader_check.h"
 
 #include <tests/support/random_source.h>
-#include <vcg_extras/io/formats/mesh_formats.h>
 
 #include <algorithm>
 #include <chrono>
@@ -62,13 +61,7 @@ double processorSeconds()
 std::string complaintsAbout(const std::string& target, const std::string& bytes)
 {
 	using namespace gpr;
-	if (target == "ply") return test::complaintsAbout(app::readPly, bytes);
-	if (target == "obj") return test::complaintsAbout(app::readObj, bytes);
-	if (target == "off") return test::complaintsAbout(app::readOff, bytes);
-	if (target == "stl") return test::complaintsAbout(app::readStl, bytes);
-	if (target == "glb")
-		return test::complaintsAbout([](std::string_view file) { return app::readGlb(file); },
-									 bytes);
+	if (const test::Reader read = test::readerOf(target)) return test::complaintsAbout(read, bytes);
 	const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
 	if (target == "parts") return test::complaintsAbout(test::caseOfParts(data, bytes.size()));
 	const auto size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;

@@ -4,6 +4,7 @@
 #define GPR_TESTS_FUZZ_READER_CHECK_H
 
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/mesh_formats.h>
 #include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <string>
@@ -12,6 +13,27 @@
 namespace gpr::test {
 
 using Reader = app::InputMesh (*)(std::string_view);
+
+/// The readers by their formats, for the corpus, the random cases and the fuzz targets.
+struct NamedReader {
+	std::string_view format;
+	Reader           read;
+};
+constexpr NamedReader readers[] = {
+	{"ply", app::readPly},
+	{"obj", app::readObj},
+	{"off", app::readOff},
+	{"stl", app::readStl},
+	{"glb", [](std::string_view file) { return app::readGlb(file); }},
+};
+
+/// Null for the name of no format.
+inline Reader readerOf(std::string_view format)
+{
+	for (const NamedReader& reader : readers)
+		if (reader.format == format) return reader.read;
+	return nullptr;
+}
 
 /// The faults of reading a file; empty for a mesh with all indices in range, and for a refusal as
 /// bad input with a sentence.

@@ -23,10 +23,11 @@ protected:
 	Workers workers{2, nullptr};
 
 	/// Edges over `even`, which is given in the mesh's unit.
-	Buffer<float> sizes(const Surface& surface, double even, int threads = 2,
+	Buffer<float> sizes(const Surface& of, double even, int threads = 2,
 						const Buffer<char>& lines = {})
 	{
 		Workers          own(threads, nullptr);
+		Surface          surface = copyOf(of, own);
 		ErrorSizeRequest request;
 		request.even     = float(even * surface.frame.scale);
 		request.largest  = largest * request.even;

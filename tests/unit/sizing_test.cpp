@@ -22,8 +22,9 @@ protected:
 	RemeshOptions options;
 	Buffer<char>  isFeature, lines;
 
-	Sizing sizing(const Surface& surface, float radius)
+	Sizing sizing(const Surface& of, float radius)
 	{
+		Surface surface = copyOf(of, workers);
 		return makeSizing({options, radius, radius, lines, isFeature, {}, {}}, surface, workers);
 	}
 };
@@ -145,7 +146,7 @@ TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 {
 	options.boundary        = BoundaryMode::Keep;
 	const TriangleMesh mesh = grid(80, 80);
-	const Surface      flat = surfaceOf(mesh, workers);
+	Surface            flat = surfaceOf(mesh, workers);
 	std::vector<int>   kept;
 	for (int v = 0; v < flat.mesh.vertexNum; ++v) {
 		if (flat.mesh.isBorderVertex(v)) kept.push_back(v);

@@ -7,7 +7,7 @@
 
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/mesh/cut_mesh.h>
+#include <vcg_extras/core/mesh/line_cut.h>
 
 #include <algorithm>
 #include <array>
@@ -68,11 +68,12 @@ float flatnessOf(const RingSum& ring)
 	return ring.area > 0 ? length(ring.normal) / ring.area : 1;
 }
 
-Buffer<RingSum> ringsOf(const HalfEdgeMesh& m, Workers& workers)
+void ensureRings(Surface& surface, Workers& workers)
 {
-	Buffer<RingSum> ring(m.vertexNum);
-	workers.forEach(std::size_t(m.vertexNum), [&](int v) { ring[v] = ringSum(m, v); });
-	return ring;
+	const HalfEdgeMesh& m = surface.mesh;
+	if (!surface.ring.empty()) return;
+	surface.ring.reset(std::size_t(m.vertexNum));
+	workers.forEach(surface.ring.size(), [&](int v) { surface.ring[v] = ringSum(m, v); });
 }
 
 /// The part of the surface within a ball round a vertex and connected to the vertex by edges inside
@@ -401,13 +402,10 @@ private:
 /// Computes the sizes of a surface for several ε in turn.
 class SizeSearch {
 public:
-	/// ring: of all vertices, or empty.
-	SizeSearch(const HalfEdgeMesh& mesh, const Buffer<RingSum>& ring,
-			   const ErrorSizeRequest& request, Workers& workers) :
-			mesh_(mesh),
-			request_(request), workers_(workers), radii_(radiiFor(request)),
-			made_(ring.empty() ? ringsOf(mesh, workers) : Buffer<RingSum>()),
-			ring_(ring.empty() ? made_ : ring), ofLargest_(trianglesAt(request.largest)),
+	/// surface: with rings.
+	SizeSearch(const Surface& surface, const ErrorSizeRequest& request, Workers& workers) :
+			mesh_(surface.mesh), ring_(surface.ring), request_(request), workers_(workers),
+			radii_(radiiFor(request)), ofLargest_(trianglesAt(request.largest)),
 			wanted_(1 - ofLargest_), centre_(spreadCentres())
 	{
 	}
@@ -449,11 +447,10 @@ private:
 	};
 
 	const HalfEdgeMesh&       mesh_;
+	const Buffer<RingSum>&    ring_;
 	const ErrorSizeRequest&   request_;
 	Workers&                  workers_;
 	const Radii               radii_;
-	const Buffer<RingSum>     made_; ///< rings, if none were given
-	const Buffer<RingSum>&    ring_;
 	const double              ofLargest_; ///< share of triangles if all had the largest size
 	const double              wanted_;    ///< share of triangles left for small sizes
 	const std::vector<Centre> centre_;    ///< the centres of the disks
@@ -609,37 +606,37 @@ private:
 	}
 };
 
-/// Makes the sizes of a mesh from the sizes of the cut mesh: a vertex of a line gets the smaller
-/// size of its sides.
-ErrorSizes joined(const CutMesh& cut, const ErrorSizes& sizes, const HalfEdgeMesh& mesh,
-				  float slope, Workers& workers)
+/// Makes the sizes of a surface from the sizes of the surface cut along lines: a vertex of a line
+/// gets the smaller size of its sides. copyOf: see LineCut.
+Buffer<float> joined(const Buffer<float>& ofCut, const std::vector<int>& copyOf,
+					 const HalfEdgeMesh& mesh, float slope, Workers& workers)
 {
-	ErrorSizes all;
-	all.epsilon = sizes.epsilon;
-	all.edge.reset(std::size_t(mesh.vertexNum));
-	std::copy(sizes.edge.begin(), sizes.edge.begin() + mesh.vertexNum, all.edge.begin());
-	std::vector<int> onLine = cut.copyOf;
-	for (std::size_t i = 0; i < onLine.size(); ++i) {
-		float& edge = all.edge[onLine[i]];
-		edge        = std::min(edge, sizes.edge[std::size_t(mesh.vertexNum) + i]);
-	}
+	Buffer<float> edge(std::size_t(mesh.vertexNum));
+	std::copy(ofCut.begin(), ofCut.begin() + mesh.vertexNum, edge.begin());
+	for (std::size_t i = 0; i < copyOf.size(); ++i)
+		edge[copyOf[i]] = std::min(edge[copyOf[i]], ofCut[std::size_t(mesh.vertexNum) + i]);
+	std::vector<int> onLine = copyOf;
 	sortUnique(onLine);
-	gradeSizes(mesh, slope, workers, onLine, all.edge);
-	return all;
+	gradeSizes(mesh, slope, workers, onLine, edge);
+	return edge;
 }
 
 } // namespace
 
-ErrorSizes sizesByError(const Surface& surface, const Buffer<char>& lines,
+ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers)
 {
-	const HalfEdgeMesh& m = surface.mesh;
-	if (lines.empty()) return SizeSearch(m, surface.ring, request, workers).run();
-	const CutMesh cut = cutAlong(m, lines, workers);
-	return joined(cut, SizeSearch(cut.mesh, {}, request, workers).run(), m, request.slope, workers);
+	ensureRings(surface, workers);
+	LineCut                cut(surface, lines, workers);
+	ErrorSizes             sizes  = SizeSearch(surface, request, workers).run();
+	const std::vector<int> copyOf = cut.copyOf();
+	cut.close();
+	if (!copyOf.empty())
+		sizes.edge = joined(sizes.edge, copyOf, surface.mesh, request.slope, workers);
+	return sizes;
 }
 
-std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
+std::int64_t countForFlatness(Surface& surface, const Buffer<char>& lines,
 							  const ErrorSizeRange& range, double area, std::int64_t first,
 							  double error, std::int64_t most, Workers& workers)
 {
@@ -649,14 +646,12 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 	constexpr int    steps         = 3;
 	const double     wanted        = flatnessShare * error * surface.frame.scale;
 	double           num           = double(first);
-	CutMesh          cut;
-	if (!lines.empty()) cut = cutAlong(surface.mesh, lines, workers);
-	const HalfEdgeMesh&   mesh = lines.empty() ? surface.mesh : cut.mesh;
-	const Buffer<RingSum> ring = ringsOf(mesh, workers);
+	ensureRings(surface, workers);
+	const LineCut cut(surface, lines, workers);
 	for (int i = 0; i < steps; ++i) {
 		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
 		const ErrorSizeRequest request{even, range.largest * even, range.slope};
-		SizeSearch             search(mesh, ring, request, workers);
+		SizeSearch             search(surface, request, workers);
 		const bool             isLast = i + 1 == steps; // the steps before only lead near
 		const float            flat   = isLast ? search.run().epsilon : search.roughEpsilon();
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);

@@ -35,10 +35,11 @@ struct ErrorSizes {
 /// Beside a feature line a disk sees only its own side. Lines are marks per half-edge, on both
 /// halves of an edge, or empty.
 ///
-/// Needs a connected surface in spatial order; edges may have any length. The same bits for any
-/// number of threads. Cost: linear; about five disks for each square of an even edge, fewer on
+/// Needs a connected surface in spatial order; edges may have any length. Fills the rings of the
+/// surface if empty, and cuts the surface along the lines meanwhile. The same bits for any number
+/// of threads. Cost: linear; about five disks for each square of an even edge, fewer on
 /// nearly flat ground, and a closer look at disks that bend.
-ErrorSizes sizesByError(const Surface& surface, const Buffer<char>& lines,
+ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers);
 
 /// The range of sizes by the error.
@@ -53,7 +54,7 @@ constexpr ErrorSizeRange rangeWithinError = {2, 0.2f}, rangeOfCount = {1.3f, 0.1
 /// sizes of the triangles. lines: as in sizesByError. area: of the surface, working units squared.
 /// first: a guess. error: the error bound, mesh units. most: the largest count to return. Cost:
 /// three times the cost of sizesByError.
-std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
+std::int64_t countForFlatness(Surface& surface, const Buffer<char>& lines,
 							  const ErrorSizeRange& range, double area, std::int64_t first,
 							  double error, std::int64_t most, Workers& workers);
 

@@ -301,7 +301,7 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 }
 
 /// Edges by the error over the even edge, graded.
-Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
+Buffer<float> errorSizes(const SizingRequest& request, Surface& surface, Workers& workers)
 {
 	ErrorSizeRequest wanted;
 	wanted.even        = request.evenEdge;
@@ -312,7 +312,7 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 	return edge;
 }
 
-Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
+Sizing makeCalibrated(const SizingRequest& request, Surface& surface, Workers& workers)
 {
 	const bool onlyByError = !wantsOtherSizes(request);
 	Sizing     sizing;
@@ -385,7 +385,7 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 	return h;
 }
 
-Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
+Sizing makeSizing(const SizingRequest& request, Surface& surface, Workers& workers)
 {
 	if (!(request.options.adapt > 0) && !wantsOtherSizes(request)) return Sizing();
 	return isPaper(request.options) ? makePrinted(request, surface, workers)

@@ -61,7 +61,7 @@ struct SizingRequest {
 /// with any other target they are scaled to the count.
 ///
 /// Cost: linear; for λ a pass over the mesh for every edge along r, squared.
-Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
+Sizing makeSizing(const SizingRequest& request, Surface& surface, Workers& workers);
 
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
 /// normals. The divergence of the vertex normals over each face (half of it is H) is summed and
