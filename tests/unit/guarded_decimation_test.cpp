@@ -363,6 +363,14 @@ TEST(CubeDecimation, DoesNotDependOnThreads)
 	EXPECT_EQ(placesAfter(mesh, 1000, 4, false), first);
 }
 
+TEST(SpaceGrid, OverAnEmptyBoxHasOneCube)
+{
+	const SpaceGrid grid(Box<float>(), 64);
+	EXPECT_EQ(grid.cubeNum(), 1);
+	EXPECT_EQ(grid.cubeOf({1, 2, 3}), 0);
+	EXPECT_EQ(grid.cubeOf(Box<float>().low), 0);
+}
+
 TEST(SpaceGrid, HasEachPointInOneCubeAndEachBoxInItsCubes)
 {
 	const SpaceGrid grid({{-1, -1, -1}, {3, 1, 0}}, 4);

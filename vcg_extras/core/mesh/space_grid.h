@@ -12,7 +12,8 @@
 
 namespace gpr {
 
-/// A grid of equal cubes over a box. Points beyond the box belong to the nearest cube.
+/// A grid of equal cubes over a box. Points beyond the box belong to the nearest cube. The grid
+/// over an empty box has a single cube.
 class SpaceGrid {
 public:
 	/// cubeNum: along the longest edge of the box.
@@ -21,7 +22,7 @@ public:
 	{
 		const Vec3f size = (box.high - box.low) * perUnit_;
 		for (int axis = 0; axis < 3; ++axis)
-			num_[axis] = std::clamp(int(std::ceil(coordinate(size, axis))), 1, cubeNum);
+			num_[axis] = wholeUpTo(std::ceil(coordinate(size, axis)), 1, cubeNum);
 	}
 
 	int cubeNum() const { return num_[0] * num_[1] * num_[2]; }
@@ -70,7 +71,12 @@ private:
 	int at(const Vec3f& p, int axis) const
 	{
 		const float along = (coordinate(p, axis) - coordinate(low_, axis)) * perUnit_;
-		return int(std::min(std::max(along, 0.0f), float(num_[axis] - 1)));
+		return wholeUpTo(along, 0, num_[axis] - 1);
+	}
+	/// `least` for what is no number: the sides of an empty box.
+	static int wholeUpTo(float value, int least, int most)
+	{
+		return int(std::min(std::max(float(least), value), float(most)));
 	}
 };
 
