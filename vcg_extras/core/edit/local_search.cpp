@@ -25,12 +25,6 @@ bool keepCount(const std::vector<Operation::Kind>& kinds)
 
 } // namespace
 
-std::int64_t searchWork(int faceNum)
-{
-	constexpr std::int64_t least = 30000000, perFace = 20;
-	return least + perFace * faceNum;
-}
-
 LocalSearch::LocalSearch(const Surface& surface, const BoundaryCurves& curves,
 						 Assignment* assignment, std::int64_t& work, ResultMesh& result,
 						 Workers& workers, int spareVertexNum) :

@@ -14,13 +14,6 @@
 
 namespace gpr {
 
-/// The budget of all searches of a driver, in faces, points and pairs of triangles, about 20 ns
-/// each: half a second, and a tenth of the run on large meshes. On parts full of needles nothing
-/// helps, and the search would last much longer than the rest of the run. With two thirds of this
-/// the worst angle of 20 noisy spheres is 1° smaller on the mean; with four thirds it is .4° larger
-/// and the search a sixth longer.
-std::int64_t searchWork(int faceNum);
-
 /// Improves the worst faces of the result in turn, by the trials of FaceTrials. A face without a
 /// helpful operation is left alone until the mesh near the face changes. Flips and moves are tried
 /// at several faces at the same time, with claims on the mesh round each (see Claims); all other
@@ -28,8 +21,7 @@ std::int64_t searchWork(int faceNum);
 class LocalSearch {
 public:
 	/// assignment: may be null if no goal limits distances. work: the work left for all runs, also
-	/// of further searches, as in searchWork; counts down. Reserves memory
-	/// for spareVertexNum vertices.
+	/// of further searches, see workOf; counts down. Reserves memory for spareVertexNum vertices.
 	LocalSearch(const Surface& surface, const BoundaryCurves& curves, Assignment* assignment,
 				std::int64_t& work, ResultMesh& result, Workers& workers, int spareVertexNum = 0);
 

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
+#include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
@@ -35,9 +36,8 @@ constexpr double mostLostWork = 1;
 /// components are made anew instead.
 constexpr double leastLostWork = 600'000;
 
-/// Work of flips and moves, see LocalSearch: of all patches of a turn, and the least and most of a
-/// patch. Less work removes fewer contacts; more work took longer than making the patches anew.
-constexpr std::int64_t workOfChanges = 16'000'000, leastOfPatch = 300'000, mostOfPatch = 2'000'000;
+/// The least and most work of flips and moves of a patch.
+constexpr std::int64_t leastOfPatch = 300'000, mostOfPatch = 2'000'000;
 
 /// A patch by the corners of its faces; corners keep their names while other patches are filled.
 struct Patch {
@@ -180,8 +180,8 @@ private:
 		waiting_ = std::move(later);
 		const FaceBoxes    tree(result_.mesh, workers_);
 		std::vector<Try>   tries(now.size());
-		const std::int64_t work =
-			std::clamp(workOfChanges / std::int64_t(now.size() + 1), leastOfPatch, mostOfPatch);
+		const std::int64_t work = std::clamp(
+			workOf(Driver::Contacts) / std::int64_t(now.size() + 1), leastOfPatch, mostOfPatch);
 		if (now.size() == 1) // all threads work in the patch
 			fillOne(tree, faces.front(), now.front().tries, work, workers_, tries.front());
 		else

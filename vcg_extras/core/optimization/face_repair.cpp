@@ -30,12 +30,6 @@ struct Few {
 /// angle. With more inverted faces, moves, which cost most, are left out. Such a mesh has contacts
 /// in many places, so changes may then make contacts.
 constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
-/// Work of a search for inverted faces, in units of searchWork: .06 s, and a microsecond for each
-/// face. Where this ends a search, most of the surface is thinner than the triangles are
-/// wide, and the guard makes most of the mesh anew. More work there takes away thin parts by
-/// collapses: with six times as much, the distance from a slab of an MRI head was up to a fifth
-/// larger.
-constexpr std::int64_t leastForInverted = 3'000'000, perFaceForInverted = 50;
 /// Operations that change the count are tried at few faces, because each must be compensated at
 /// another place. Pairs in a row, which take some hundred trials, are tried only with at most this
 /// many faces left.
@@ -76,8 +70,9 @@ public:
 			surface_(surface),
 			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(*wanted.map),
 			mapFaceNum_(result.mesh.faceNum),
-			work_(std::int64_t(shareOfWork * double(searchWork(result.mesh.faceNum)))), r_(result),
-			workers_(workers)
+			work_(
+				std::int64_t(shareOfWork * double(workOf(Driver::PoorFaces, result.mesh.faceNum)))),
+			r_(result), workers_(workers)
 	{
 	}
 
@@ -310,7 +305,7 @@ bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 						 ResultMesh& result, Workers& workers)
 {
 	turnTetrahedra(surface, result, workers);
-	std::int64_t work = leastForInverted + perFaceForInverted * result.mesh.faceNum;
+	std::int64_t work = workOf(Driver::InvertedFaces, result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const Goal   goal = invertedFaces(search, mayCollapse);
 	// Degenerate faces are among these.
@@ -328,7 +323,7 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 {
 	const float angle = angleDeg * radians;
 	if (findPoorFaces(result.mesh, angle, workers).empty()) return true;
-	std::int64_t work = searchWork(result.mesh.faceNum);
+	std::int64_t work = workOf(Driver::AnglesOnly, result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle);
 	// Faces with the normals of the surface are near the surface, and intersect no other faces.

@@ -268,7 +268,7 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 
 	const ClosestFaceMap map(surface, result, workers);
 	Assignment           assignment(surface, map, result.mesh.faceNum);
-	std::int64_t         work = searchWork(result.mesh.faceNum);
+	std::int64_t         work = workOf(Driver::PoorFaces, result.mesh.faceNum);
 	LocalSearch          search(surface, curves, &assignment, work, result, workers);
 	Goal                 goal = smallAngles(search, settings.minAngle);
 	goal.limits.guarded       = guardedShare * settings.maxGap;

@@ -6,6 +6,7 @@
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>
@@ -19,9 +20,8 @@ struct LocalRefinement {
 	float minAngle = 0; ///< radians; smaller angles beside new vertices are raised
 	float maxGap   = 0; ///< largest distance of a face from the surface after that, working units
 	int   mostNew  = 0; ///< vertices; if more are needed, nothing is changed
-	/// Most faces and pairs of faces that the tests for contacts look at; after that no edge is
-	/// split. Without a limit, the tests took half a minute on sheets that lie in each other.
-	std::int64_t mostWork = 20000000;
+	/// Of the tests for contacts; after that no edge is split.
+	std::int64_t mostWork = workOf(Driver::Refinement);
 };
 
 /// Makes triangles smaller at given points: for each point, splits an edge of the nearest face of
