@@ -12,6 +12,7 @@
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -124,6 +125,85 @@ TEST(ThinSurfaces, DoNotIntersectThemselves)
 		}
 	}
 	EXPECT_GT(found, 0u) << "or nothing here needs the guard";
+}
+
+/// Two spheres with a common vertex.
+TriangleMesh spheresAtAVertex()
+{
+	TriangleMesh sphere = icosphere(4);
+	const Vec3d  at     = sphere.positions[0];
+	const int    num    = int(sphere.positions.size());
+	TriangleMesh both   = sphere;
+	for (const Vec3d& p : sphere.positions)
+		both.positions.push_back(at + at - p);
+	for (std::size_t c = 0; c < sphere.triangles.size(); c += 3) {
+		const auto other = [&](std::size_t k) {
+			const std::int32_t v = sphere.triangles[c + k];
+			return v == 0 ? 0 : v + num;
+		};
+		both.triangles.insert(both.triangles.end(), {other(0), other(2), other(1)});
+	}
+	return both;
+}
+
+TEST(ThinSurfaces, ThatMeetAtAVertexDoNotIntersectThemselves)
+{
+	const TriangleMesh spheres = spheresAtAVertex();
+	std::int64_t       found   = 0;
+	for (const int vertexNum : {40, 200, 500, 1500}) {
+		SCOPED_TRACE(vertexNum);
+		const RemeshResult r = remesh(spheres.view(), optionsFor(vertexNum, true));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(int(r.mesh.vertexNum()), vertexNum);
+		EXPECT_EQ(contactNum(r.mesh), 0u);
+		EXPECT_EQ(r.report.audit.guarded.pairNum, 0);
+		EXPECT_EQ(r.report.audit.guarded.inputFaceNum, 0);
+		found += r.report.audit.guarded.foundPairNum;
+	}
+	EXPECT_GT(found, 0) << "or nothing here needs the guard";
+}
+
+/// A wavy sheet with random pairs of holes that meet at corners.
+TriangleMesh sheetWithPairsOfHoles(Random& random)
+{
+	constexpr int                   n = 80, apart = 4;
+	std::vector<std::array<int, 2>> corners; // cells of the first holes
+	for (int i = 0; i < 60; ++i) {
+		const std::array<int, 2> at = {2 + random.below(n - 5), 2 + random.below(n - 5)};
+		const bool isFree = std::none_of(corners.begin(), corners.end(), [&](const auto& c) {
+			return std::abs(c[0] - at[0]) < apart && std::abs(c[1] - at[1]) < apart;
+		});
+		if (isFree) corners.push_back(at);
+	}
+	TriangleMesh sheet = gridWhere(n, 8, [&](int i, int j) {
+		return std::none_of(corners.begin(), corners.end(), [&](const auto& c) {
+			return (i == c[0] && j == c[1]) || (i == c[0] + 1 && j == c[1] + 1);
+		});
+	});
+	for (Vec3d& p : sheet.positions)
+		p.z = 0.1 * std::sin(2 * p.x) * std::cos(1.7 * p.y);
+	return sheet;
+}
+
+TEST(ThinSurfaces, WithHolesThatMeetAtCornersDoNotIntersectThemselves)
+{
+	RemeshOptions options = optionsFor(0, true);
+	options.targetMode    = TargetMode::Percent;
+	std::int64_t found    = 0;
+	for (const std::uint32_t seed : {1u, 2u, 3u}) {
+		Random             random(seed);
+		const TriangleMesh sheet = sheetWithPairsOfHoles(random);
+		for (const double percent : {1.0, 10.0}) {
+			SCOPED_TRACE(percent);
+			options.targetPercent = percent;
+			const RemeshResult r  = remesh(sheet.view(), options);
+			ASSERT_EQ(r.status, Status::Ok) << r.message;
+			EXPECT_EQ(contactNum(r.mesh), 0u);
+			EXPECT_EQ(r.report.audit.guarded.inputFaceNum, 0);
+			found += r.report.audit.guarded.foundPairNum;
+		}
+	}
+	EXPECT_GT(found, 0) << "or nothing here needs the guard";
 }
 
 TEST(ThinSurfaces, AreLeftAsTheyAreWithoutTheGuard)

@@ -56,7 +56,7 @@ void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 	const bool  isManifold = connect(mesh, faceStart, workers, surface);
 	Buffer<int> link       = std::move(surface.mesh.opposite);
 	if (isManifold) mesh = disconnect(surface);
-	repairManifold(mesh, link, JunctionMode::Cut, workers, counts);
+	repairManifold(mesh, link, JunctionMode::Cut, false, workers, counts);
 }
 
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices, int spareFaces)

@@ -238,6 +238,15 @@ TEST(TouchingPairs, AreNoneAlongCutsButWhereBordersRunThroughFaces)
 		<< "a vertex on an edge of the other touches it";
 }
 
+/// Two squares that meet at a corner only.
+TEST(TouchingPairs, AreNoneAtASingleCommonPlaceOfBorders)
+{
+	Workers            workers(1, nullptr);
+	const HalfEdgeMesh m = halfEdgesOf(joined(grid(4, 4), shifted(grid(4, 4), {1, 1, 0})));
+	EXPECT_TRUE(findTouchingPairs(m, workers).empty());
+	EXPECT_TRUE(findTouchingPairs(m, workers, Seams::Apart).empty());
+}
+
 /// Thousands of faces at one place have millions of pairs; some hundreds for each face suffice.
 TEST(TouchingPairs, AreSomeHundredsForEachFaceAtMost)
 {

@@ -70,7 +70,9 @@ TEST_P(RepairZoo, LeavesManifoldsAloneAndMakesTheOthersManifold)
 		EXPECT_EQ(r.after.triangles, r.before.triangles);
 	}
 	else if (r.counts.duplicateFaces == 0) {
-		EXPECT_NEAR(factsOf(r.after).area, factsOf(r.before).area, 1e-6) << "nothing is lost";
+		// Nothing is lost, but tips that met are drawn apart.
+		const double area = factsOf(r.before).area;
+		EXPECT_NEAR(factsOf(r.after).area, area, area / 32);
 	}
 }
 
@@ -230,8 +232,9 @@ public:
 private:
 	using Edge = std::pair<int, int>;
 
-	std::vector<Vec3f> position_;
-	std::vector<int>   corner_, link_;
+	std::vector<Vec3f>   position_;
+	std::vector<int>     corner_, link_;
+	std::map<int, Vec3f> drawn_; ///< places of tips drawn apart
 
 	int  at(int h) const { return corner_[std::size_t(h)]; }
 	int& linkOf(int h) { return link_[std::size_t(h)]; }
@@ -329,16 +332,38 @@ private:
 			join(h, nextInFace(linkOf(h)));
 			join(nextInFace(h), linkOf(h));
 		}
-		std::set<int>    taken;
+		std::set<int>    taken, split;
 		std::vector<int> named = corner_;
 		for (int c = 0; c < int(corner_.size()); ++c) {
 			if (firstOf(c) == c && !taken.insert(at(c)).second) {
 				named[std::size_t(c)] = int(position_.size());
+				split.insert({at(c), int(position_.size())});
 				position_.push_back(position_[std::size_t(at(c))]);
 			}
 			named[std::size_t(c)] = named[std::size_t(firstOf(c))];
 		}
 		corner_ = named;
+		drawApart(split);
+	}
+
+	void drawApart(const std::set<int>& split)
+	{
+		std::map<int, std::vector<Vec3f>> ways;
+		std::set<int>                     open;
+		for (int h = 0; h < int(corner_.size()); ++h) {
+			const int v = at(h);
+			if (split.count(v) == 0) continue;
+			ways[v].push_back(position_[std::size_t(at(nextInFace(h)))] -
+							  position_[std::size_t(v)]);
+			if (linkOf(h) < 0 || linkOf(prevInFace(h)) < 0) open.insert(v);
+		}
+		for (const auto& [v, round] : ways) {
+			const Vec3f sum = std::accumulate(round.begin(), round.end(), Vec3f());
+			if (open.count(v) > 0) continue;
+			drawn_[v] = position_[std::size_t(v)] + sum * (0.03125f / float(round.size()));
+		}
+		for (const auto& [v, place] : drawn_)
+			position_[std::size_t(v)] = place;
 	}
 
 	void openSlits()
@@ -401,7 +426,8 @@ TEST_P(RepairRandom, AnythingBecomesManifold)
 		expectAsPlainly(r);
 		EXPECT_GE(r.after.faceNum() + std::size_t(r.counts.duplicateFaces), r.before.faceNum());
 		if (r.counts.duplicateFaces == 0) {
-			EXPECT_NEAR(factsOf(r.after).area, factsOf(r.before).area, 1e-4);
+			const double area = factsOf(r.before).area;
+			EXPECT_NEAR(factsOf(r.after).area, area, area / 1000) << "but for tips drawn apart";
 		}
 	}
 }

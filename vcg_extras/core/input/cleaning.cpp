@@ -83,7 +83,8 @@ void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Su
 	run.clock.enter(Stage::Repair);
 	const JunctionMode junctions =
 		keepsJunctions(run.options) ? JunctionMode::Keep : JunctionMode::Cut;
-	repairManifold(mesh, surface.mesh.opposite, junctions, run.workers, counts);
+	const bool keepsPlaces = keepsJunctions(run.options) || keepsRegionVertices(run.options);
+	repairManifold(mesh, surface.mesh.opposite, junctions, keepsPlaces, run.workers, counts);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
 	if (!connect(mesh, faceStart, run.workers, surface, keepsRings)) {
 		throw Failure(Status::InternalError, "The surface could not be made manifold.");

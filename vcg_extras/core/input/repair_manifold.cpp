@@ -29,6 +29,7 @@ struct Linked {
 	Workers&     workers;
 	CleanCounts& counts;
 	JunctionMode junctions;
+	bool         keepsPlaces;
 
 	std::size_t halfEdgeNum() const { return std::size_t(3) * mesh.faceNum; }
 	bool        runAlike(int g, int h) const { return mesh.triangle[g] == mesh.triangle[h]; }
@@ -316,6 +317,37 @@ std::vector<Vec3f> distinctPlaces(std::vector<Vec3f> places)
 	return places;
 }
 
+/// Draws the tips of closed fans at split vertices towards their rings, by a small share of the
+/// way. At the same place the fans would touch: a self-intersection of the input, where the result
+/// may intersect itself too. corners: of all fans at split vertices.
+void drawTipsApart(Linked& m, std::vector<int> corners)
+{
+	constexpr float share = 1 / 32.0f;
+	struct Tip {
+		int   vertex;
+		Vec3f at;
+	};
+	IndexedMesh&     mesh     = m.mesh;
+	const auto       vertexOf = [&](int h) { return mesh.triangle[h]; };
+	std::vector<Tip> tips;
+	std::stable_sort(corners.begin(), corners.end(),
+					 [&](int a, int b) { return vertexOf(a) < vertexOf(b); });
+	for (std::size_t i = 0; i < corners.size();) {
+		const std::size_t first    = i;
+		const int         v        = vertexOf(corners[i]);
+		bool              isClosed = true;
+		Vec3f             way;
+		for (; i < corners.size() && vertexOf(corners[i]) == v; ++i) {
+			const int h = corners[i];
+			isClosed    = isClosed && m.link[h] >= 0 && m.link[prevInFace(h)] >= 0;
+			way += mesh.position[vertexOf(nextInFace(h))] - mesh.position[v];
+		}
+		if (isClosed) tips.push_back({v, mesh.position[v] + way * (share / float(i - first))});
+	}
+	for (const Tip& tip : tips)
+		mesh.position[tip.vertex] = tip.at;
+}
+
 /// Gives every fan of faces at a vertex a vertex of its own; the fan with the first corner keeps
 /// the vertex.
 void separateFans(Linked& m)
@@ -353,6 +385,7 @@ void separateFans(Linked& m)
 	makeRoom(m.mesh.position, oldNum + added.size(), m.workers);
 	std::copy(added.begin(), added.end(), m.mesh.position.begin() + oldNum);
 	m.mesh.vertexNum += int(added.size());
+	if (!m.keepsPlaces) drawTipsApart(m, corners);
 }
 
 /// Splits edges between the same two vertices. Two borders, or two linked pairs of faces, may run
@@ -470,10 +503,10 @@ private:
 
 } // namespace
 
-void repairManifold(IndexedMesh& mesh, Buffer<int>& link, JunctionMode junctions, Workers& workers,
-					CleanCounts& counts)
+void repairManifold(IndexedMesh& mesh, Buffer<int>& link, JunctionMode junctions, bool keepsPlaces,
+					Workers& workers, CleanCounts& counts)
 {
-	Linked           linked{mesh, link, workers, counts, junctions};
+	Linked           linked{mesh, link, workers, counts, junctions, keepsPlaces};
 	std::vector<int> faulty; // faces with a changed edge
 	dropDuplicateFaces(linked);
 	if (Linker(linked, faulty).run()) Orienter(linked, faulty).run();

@@ -237,11 +237,14 @@ int nameOf(const HalfEdgeMesh& m, int f, int k, const NamedTriangle& other)
 bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 {
 	NamedTriangle s = triangleOf(m, f), t = triangleOf(m, g);
-	if (seams == Seams::Apart || m.meetsAtPlaces) return touch(s, t, m.meetsAtPlaces);
+	if (m.meetsAtPlaces) return touch(s, t, true);
+	const int ownNum = seams == Seams::Apart ? sharedBy(s, t, false).num : 0;
 	for (int k = 0; k < 3; ++k)
 		s.vertex[k] = nameOf(m, f, k, t);
 	for (int k = 0; k < 3; ++k)
 		t.vertex[k] = nameOf(m, g, k, s);
+	if (seams == Seams::Apart && sharedBy(s, t, false).num > std::max(1, ownNum))
+		return true; // on both sides of a seam
 	return touch(s, t);
 }
 

@@ -44,8 +44,9 @@ bool reachesMirrorImage(const HalfEdgeMesh& mesh, int face);
 /// itself.
 using FacePair = std::pair<int, int>;
 
-/// The rule for border vertices at the same place, as along a cut. Joined: they count as the same
-/// vertex, so that faces on both sides do not touch. Apart: faces on both sides touch.
+/// The rule for border vertices at the same place, as along a cut: they count as the same vertex.
+/// Joined: faces on both sides of the cut do not touch. Apart: faces touch that have an edge of the
+/// cut on both sides; faces that meet at a single place, as at the corners of two holes, do not.
 enum class Seams { Joined, Apart };
 
 /// Finds all self-intersections: pairs of faces in contact, ascending, with at least one wanted

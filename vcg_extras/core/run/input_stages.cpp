@@ -111,8 +111,8 @@ std::optional<DetectedRegion>& InputCache::region(const RemeshOptions& options)
 
 void InputCache::fitTo(const RemeshOptions& options)
 {
-	const auto wanted =
-		std::make_tuple(options.sew, options.dropComponentsBelow, keepsJunctions(options));
+	const auto wanted = std::make_tuple(options.sew, options.dropComponentsBelow,
+										keepsJunctions(options), keepsRegionVertices(options));
 	if (wanted == options_) return;
 	*this    = InputCache();
 	options_ = wanted;

@@ -50,9 +50,9 @@ public:
 
 private:
 	/// The options for the cleaning of the input: see fitTo().
-	std::tuple<bool, std::int64_t, bool> options_;
-	std::array<OfSewing, 3>              of_; ///< by Sewing
-	std::optional<DetectedRegion>        region_;
+	std::tuple<bool, std::int64_t, bool, bool> options_;
+	std::array<OfSewing, 3>                    of_; ///< by Sewing
+	std::optional<DetectedRegion>              region_;
 
 	void fitTo(const RemeshOptions& options);
 };
