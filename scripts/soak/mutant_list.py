@@ -237,10 +237,11 @@ MUTANTS = [
     # ---- features
     ("noise is no feature line", "features/crease_lines.cpp", "constexpr float clearShare = 0.7f;",
      "constexpr float clearShare = 0.4f;"),
-    ("short feature lines", "features/crease_lines.cpp",
-     "if (all >= rules_.minLength) return true;", "return true;"),
+    ("short feature lines", "features/crease_lines.cpp", "return spare < 0;", "return false;"),
     ("cone apexes stand alone", "features/crease_lines.cpp",
      "return !m_.isCurveVertex(w) && !(std::abs(defect(w)) <= apexContrast * own);", "return false;"),
+    ("lines: spare doublings", "features/crease_lines.cpp",
+     "spareDoublings_ = std::min(spareDoublings_, spare);", "spareDoublings_ = std::max(spareDoublings_, spare);"),
     ("detected lines are strong", "features/feature_detection.cpp",
      "return strongest >= float(thresholds_.strongDeg) && lineLength >= out_.minLength;",
      "return lineLength >= out_.minLength;"),

@@ -121,6 +121,29 @@ TEST_F(MarkCreases, ShortLinesWithEndsGoWhateverLoopsMay)
 	EXPECT_EQ(found.edgeNum, 0);
 }
 
+/// The twelve edges of a box, of length 12 in all, and without a free end.
+TEST_F(MarkCreases, TellHowMuchLongerLinesMayHaveToBe)
+{
+	const TriangleMesh cube  = gpr::test::box(4, 4, 4, {1, 1, 1});
+	surface                  = surfaceOf(cube, workers);
+	const float scale        = float(surface.frame.scale);
+	const auto  edgeNumAfter = [&](int doublings) {
+        rules.minLength = 5 * scale;
+        rules.minLoop   = scale;
+        for (int i = 0; i < doublings; ++i) {
+            rules.minLength *= 2;
+            rules.minLoop *= 2;
+        }
+        mark(cube);
+        return found.edgeNum;
+	};
+	ASSERT_EQ(edgeNumAfter(0), 12 * 4);
+	const int spare = found.spareDoublings;
+	EXPECT_EQ(spare, 3) << "1 · 8 < 12 < 1 · 16";
+	EXPECT_EQ(edgeNumAfter(spare), 12 * 4);
+	EXPECT_EQ(edgeNumAfter(spare + 1), 0);
+}
+
 TEST_F(MarkCreases, TwoThatCross)
 {
 	mark(crossedCreases(20, 0.6));

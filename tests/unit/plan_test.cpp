@@ -394,6 +394,19 @@ TEST(Plan, FollowsFewerLinesUntilTheyFit)
 	EXPECT_TRUE(run.isTaken());
 }
 
+TEST(Plan, PassesOverLimitsThatDropNoLine)
+{
+	std::vector<int> limits;
+	PlannedRun       run(order(500));
+	run.lines = [&](const Decisions& d) {
+		limits.push_back(d.lineLimit);
+		return LineFacts{d.lineLimit < 10 ? 2.0 : 0.9, 4};
+	};
+	run.go();
+	EXPECT_EQ(limits, (std::vector<int>{0, 1, 6, 11}));
+	EXPECT_TRUE(run.isTaken());
+}
+
 TEST(Plan, LeavesCloseLinesOutWhereLinesTakeOverHalfOfTheVertices)
 {
 	PlannedRun run(order(500));
@@ -794,6 +807,23 @@ TEST(Plan, NamesACountThatCanBeHad)
 	EXPECT_EQ(run.failure->smallestVertexNum, 23);
 	EXPECT_TRUE(run.says("cannot be meshed with 8 vertices"));
 	EXPECT_TRUE(run.says("found without self-intersections is 23"));
+}
+
+/// Each number of vertices misses by as much as the number before, as on thin parts.
+TEST(Plan, GrowsItsStepsToACountThatCanBeHad)
+{
+	PlannedRun run(order(2000));
+	run.contacts = [](const Decisions& d) {
+		const bool isFree = d.vertexNum >= 2500;
+		return isFree ? ContactFacts{d.vertexNum, d.vertexNum}
+					  : ContactFacts{d.vertexNum, d.vertexNum + 50, true};
+	};
+	run.go();
+	EXPECT_EQ(countsOf(run),
+			  (std::vector<std::int64_t>{2000, 2050, 2100, 2150, 2200, 2300, 2450, 2650}));
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 2650);
+	EXPECT_TRUE(run.says("found without self-intersections is 2650"));
 }
 
 TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)

@@ -59,7 +59,8 @@ public:
 		found.coneApexes =
 			findConeApexes(); // before close lines go: their corners are no cone apexes
 		if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();
-		found.edgeNum = std::int64_t(edges_.size());
+		found.edgeNum        = std::int64_t(edges_.size());
+		found.spareDoublings = spareDoublings_;
 		if (edges_.empty()) m_.crease.release();
 		return found;
 	}
@@ -69,7 +70,8 @@ private:
 	HalfEdgeMesh&      m_;
 	const CreaseRules& rules_;
 	Workers&           workers_;
-	std::vector<int>   edges_; ///< the marked edges
+	std::vector<int>   edges_;                          ///< the marked edges
+	int                spareDoublings_ = mostDoublings; ///< see CreaseFindings
 
 	// ---- crease edges
 
@@ -232,7 +234,11 @@ private:
 
 	void dropShortOnes()
 	{
-		drop(edgesOfLines([&](const std::vector<int>& line) { return !isLongEnough(line); }));
+		drop(edgesOfLines([&](const std::vector<int>& line) {
+			const int spare = spareDoublingsOf(line);
+			if (spare >= 0) spareDoublings_ = std::min(spareDoublings_, spare);
+			return spare < 0;
+		}));
 		std::vector<int> spurs;
 		for (int h : edges_) {
 			for (int e : {h, m_.opposite[h]}) {
@@ -258,14 +264,27 @@ private:
 		edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isGone), edges_.end());
 	}
 
-	bool isLongEnough(const std::vector<int>& line) const
+	/// So often the least lengths may double, and the line stays; -1 for a line that is too short.
+	int spareDoublingsOf(const std::vector<int>& line) const
 	{
-		const float all = lengthOf(line);
-		if (all >= rules_.minLength) return true;
-		const auto hasFreeEnd = [&](int h) {
-			return isFreeEnd(m_.origin[h]) || isFreeEnd(m_.target(h));
+		const float all        = lengthOf(line);
+		const auto  hasFreeEnd = [&](int h) {
+            return isFreeEnd(m_.origin[h]) || isFreeEnd(m_.target(h));
 		};
-		return all >= rules_.minLoop && std::none_of(line.begin(), line.end(), hasFreeEnd);
+		const int  byLength = doublingsWithin(all, rules_.minLength);
+		const bool isLoop   = std::none_of(line.begin(), line.end(), hasFreeEnd);
+		return isLoop ? std::max(byLength, doublingsWithin(all, rules_.minLoop)) : byLength;
+	}
+
+	static constexpr int mostDoublings = 30;
+
+	/// So often `least` may double within a length; -1 if the length is below `least`.
+	static int doublingsWithin(float length, float least)
+	{
+		int num = -1;
+		for (; num < mostDoublings && length >= least; least *= 2)
+			++num;
+		return num;
 	}
 
 	bool isFreeEnd(int v) const { return !m_.isBorderVertex(v) && m_.creaseNum(v) == 1; }

@@ -34,6 +34,8 @@ struct CreaseFindings {
 	std::int64_t     creaseNum = 0;     ///< crease edges that are no noise
 	std::int64_t     edgeNum   = 0;     ///< edges marked: of lines neither too short nor too close
 	bool             wasNoise  = false; ///< Auto: there are crease edges, but they look like noise
+	/// So often the least lengths of lines may double, and all lines stay.
+	int spareDoublings = 0;
 };
 
 /// Marks the edges of feature lines in surface.mesh.crease, or leaves crease empty if there are

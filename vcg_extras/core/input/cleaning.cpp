@@ -123,10 +123,10 @@ std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts&
 	}
 	if (run.options.dropComponentsBelow > 1 || allFacesThin(mesh, run.workers))
 		mesh = withoutUselessPieces(run, std::move(mesh), counts);
-	const auto cleaned = std::make_shared<CleanedInput>();
-	cleaned->extents   = measureFaces(mesh, run.workers);
-	cleaned->mesh      = std::move(mesh);
-	cleaned->counts    = counts;
+	auto cleaned     = std::make_shared<CleanedInput>();
+	cleaned->extents = measureFaces(mesh, run.workers);
+	cleaned->mesh    = std::move(mesh);
+	cleaned->counts  = counts;
 	return cleaned;
 }
 

@@ -348,7 +348,9 @@ std::string Plan::judge(const ForecastFacts& facts)
 std::string Plan::judge(const LineFacts& facts)
 {
 	const bool areTooMany = decisions_.lineLimit == 0 ? facts.share > maxOnCurves : facts.share > 1;
-	decisions_.lineLimit += areTooMany;
+	// With each further limit lengths double; limits that drop no line are passed over.
+	const int step = decisions_.lineLimit == 0 ? 1 : 1 + facts.spareDoublings;
+	decisions_.lineLimit += areTooMany ? step : 0;
 	return returnIf(areTooMany, attempts_.sizes.followLines ? Step::Input : Step::Lines);
 }
 
@@ -721,6 +723,7 @@ std::string Plan::judge(const ExportFacts& facts)
 	isBest_ = true;
 	if (decisions_.purpose == Purpose::CountToBeHad) {
 		hadNums_.push_back(facts);
+		smallestNum_ = facts.vertexNum;
 		if (!asksForFaces() || hadNums_.size() == 2) throw refusalAtLast();
 		tryToHave(facts.faceNum + attempts_.nextStep());
 		return "";
@@ -765,12 +768,16 @@ void Plan::judge(const Failure& failure)
 		refused_ = asked();
 	}
 	else if (!isSmall || hadNums_.size() == 2 ||
-			 (!asksForFaces() && failure.smallestVertexNum <= smallestNum_)) {
+			 (!asksForFaces() && failure.smallestVertexNum <= triedVertexNum_)) {
 		throw refusalAtLast();
 	}
 	smallestNum_ = failure.smallestVertexNum;
-	if (!asksForFaces())
-		tryToHave(smallestNum_);
+	if (!asksForFaces()) {
+		// On thin parts each number misses by as much as the number before: the steps grow.
+		constexpr int      even   = 3; // tries
+		const std::int64_t missed = isFirst ? 0 : smallestNum_ - triedVertexNum_;
+		tryToHave(smallestNum_ + std::max(0, triedNum_ - even) * missed);
+	}
 	else
 		tryToHave(isFirst ? failure.smallestFaceNum
 						  : std::max(failure.smallestFaceNum, raised(wantedFaces_)));
@@ -787,7 +794,10 @@ void Plan::tryToHave(std::int64_t num)
 	isBest_ = false;
 	++triedNum_;
 	++returnNum_;
-	if (asksForFaces()) wantedFaces_ = num;
+	if (asksForFaces())
+		wantedFaces_ = num;
+	else
+		triedVertexNum_ = num;
 	beginRun(Purpose::CountToBeHad, asksForFaces() ? 0 : num);
 }
 

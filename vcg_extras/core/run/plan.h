@@ -110,7 +110,8 @@ struct ForecastFacts {
 	std::int64_t vertexNum = 0; ///< count with triangles as flat as the error bound needs
 };
 struct LineFacts {
-	double share = 0; ///< of the vertices, on borders and feature lines; 0: no lines
+	double share          = 0; ///< of the vertices, on borders and feature lines; 0: no lines
+	int    spareDoublings = 0; ///< see CreaseFindings
 };
 struct SampleFacts {
 	bool         mayMiss    = false; ///< the first sampling often misses the count
@@ -289,9 +290,10 @@ private:
 	// The refused count, and the smaller counts that are possible.
 	std::optional<Failure> refusal_;
 	std::int64_t           smallestNum_ = 0;
-	std::int64_t           wantedFaces_ = 0; ///< of the run under way, with a target of faces
-	std::string            refused_;         ///< "7 vertices"
-	int                    triedNum_ = 0;    ///< counts tried for the refusal
+	std::int64_t triedVertexNum_        = 0; ///< number of vertices of the last mesh tried for it
+	std::int64_t wantedFaces_           = 0; ///< of the run under way, with a target of faces
+	std::string  refused_;                   ///< "7 vertices"
+	int          triedNum_ = 0;              ///< counts tried for the refusal
 	std::vector<ExportFacts>
 		hadNums_; ///< counts of meshes made for the refusal: two with a target of faces, else one
 

@@ -333,7 +333,7 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 	if (made.lines.edgeNum == 0) return {};
 	made.lines.radius = usualRadius(made, run.options, decisions.spacedFor());
 	made.lines.curves = sampleCurves(run, decisions, made.lines.radius, made);
-	return {shareOf(made.lines.curves, decisions, m)};
+	return {shareOf(made.lines.curves, decisions, m), made.lines.found.spareDoublings};
 }
 
 void followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
