@@ -141,7 +141,7 @@ MUTANTS = [
     ("sizes by the error: each side of a line", "sampling/error_sizes.cpp",
      "LineCut                cut(surface, lines, workers);", "LineCut cut(surface, {}, workers);"),
     ("sizes by the error: the smaller side of a line", "sampling/error_sizes.cpp",
-     "edge[copyOf[i]] = std::min(edge[copyOf[i]], ofCut[std::size_t(mesh.vertexNum) + i]);", ""),
+     "std::min(edge[copyOf[i]], ofCut[std::size_t(mesh.vertexNum) + i]);", "edge[copyOf[i]];"),
     ("line cut: closed", "mesh/line_cut.h", "~LineCut() { close(); }", "~LineCut() {}"),
     ("line cut: outgoing half-edges", "mesh/line_cut.cpp", "m.outgoing[old.vertex] = old.outgoing;", ""),
     ("line cut: rings of both sides", "mesh/line_cut.cpp",
