@@ -48,7 +48,7 @@ Surface surfaceOf(IndexedMesh&& indexed, Workers& workers)
 	return surface;
 }
 
-void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts, bool keepsPlaces)
 {
 	Buffer<int> faceStart;
 	Surface     surface;
@@ -56,7 +56,7 @@ void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 	const bool  isManifold = connect(mesh, faceStart, workers, surface);
 	Buffer<int> link       = std::move(surface.mesh.opposite);
 	if (isManifold) mesh = disconnect(surface);
-	repairManifold(mesh, link, JunctionMode::Cut, false, workers, counts);
+	repairManifold(mesh, link, JunctionMode::Cut, keepsPlaces, workers, counts);
 }
 
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices, int spareFaces)

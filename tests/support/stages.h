@@ -25,7 +25,7 @@ Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
 /// For each half-edge: whether the faces at its edge turn by more than `degrees`.
 Buffer<char> edgesThatTurn(const Surface& surface, double degrees);
 /// Orders a mesh and repairs the mesh, even if the mesh is manifold.
-void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
+void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts, bool keepsPlaces = false);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
 /// must be manifold. There is room for as many more vertices and faces as asked.
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);

@@ -792,15 +792,25 @@ TEST(Plan, RefusesACountAtWhichSheetsIntersect)
 
 // Several meshes for a result.
 
-TEST(Plan, NamesACountThatCanBeHad)
+namespace {
+
+/// A run whose meshes have contacts below a count, and would need `missed` vertices more each.
+PlannedRun runThatMisses(int asked, std::int64_t missed, std::int64_t least)
 {
-	PlannedRun run(order(8));
-	run.contacts = [](const Decisions& d) {
-		const bool isFree = d.vertexNum >= 20;
-		return isFree ? ContactFacts{d.vertexNum, d.vertexNum}
-					  : ContactFacts{d.vertexNum, d.vertexNum + 5, true};
+	PlannedRun run(order(asked));
+	run.contacts = [missed, least](const Decisions& d) {
+		return d.vertexNum >= least ? ContactFacts{d.vertexNum, d.vertexNum}
+									: ContactFacts{d.vertexNum, d.vertexNum + missed, true};
 	};
 	run.go();
+	return run;
+}
+
+} // namespace
+
+TEST(Plan, NamesACountThatCanBeHad)
+{
+	const PlannedRun run = runThatMisses(8, 5, 20);
 	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{8, 13, 18, 23}));
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
@@ -812,13 +822,7 @@ TEST(Plan, NamesACountThatCanBeHad)
 /// Each number of vertices misses by as much as the number before, as on thin parts.
 TEST(Plan, GrowsItsStepsToACountThatCanBeHad)
 {
-	PlannedRun run(order(2000));
-	run.contacts = [](const Decisions& d) {
-		const bool isFree = d.vertexNum >= 2500;
-		return isFree ? ContactFacts{d.vertexNum, d.vertexNum}
-					  : ContactFacts{d.vertexNum, d.vertexNum + 50, true};
-	};
-	run.go();
+	const PlannedRun run = runThatMisses(2000, 50, 2500);
 	EXPECT_EQ(countsOf(run),
 			  (std::vector<std::int64_t>{2000, 2050, 2100, 2150, 2200, 2300, 2450, 2650}));
 	ASSERT_TRUE(run.failure);

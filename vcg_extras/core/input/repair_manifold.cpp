@@ -320,27 +320,29 @@ std::vector<Vec3f> distinctPlaces(std::vector<Vec3f> places)
 /// Draws the tips of closed fans at split vertices towards their rings, by a small share of the
 /// way. At the same place the fans would touch: a self-intersection of the input, where the result
 /// may intersect itself too. corners: of all fans at split vertices.
-void drawTipsApart(Linked& m, std::vector<int> corners)
+void drawTipsApart(Linked& m, const std::vector<int>& corners)
 {
 	constexpr float share = 1 / 32.0f;
 	struct Tip {
 		int   vertex;
 		Vec3f at;
 	};
-	IndexedMesh&     mesh     = m.mesh;
-	const auto       vertexOf = [&](int h) { return mesh.triangle[h]; };
+	IndexedMesh&                     mesh = m.mesh;
+	std::vector<std::pair<int, int>> atVertex; // vertex and corner
+	atVertex.reserve(corners.size());
+	for (int h : corners)
+		atVertex.emplace_back(mesh.triangle[h], h);
+	sortPolled(atVertex.begin(), atVertex.end(), m.workers);
 	std::vector<Tip> tips;
-	std::stable_sort(corners.begin(), corners.end(),
-					 [&](int a, int b) { return vertexOf(a) < vertexOf(b); });
-	for (std::size_t i = 0; i < corners.size();) {
+	for (std::size_t i = 0; i < atVertex.size();) {
 		const std::size_t first    = i;
-		const int         v        = vertexOf(corners[i]);
+		const int         v        = atVertex[i].first;
 		bool              isClosed = true;
 		Vec3f             way;
-		for (; i < corners.size() && vertexOf(corners[i]) == v; ++i) {
-			const int h = corners[i];
+		for (; i < atVertex.size() && atVertex[i].first == v; ++i) {
+			const int h = atVertex[i].second;
 			isClosed    = isClosed && m.link[h] >= 0 && m.link[prevInFace(h)] >= 0;
-			way += mesh.position[vertexOf(nextInFace(h))] - mesh.position[v];
+			way += mesh.position[mesh.triangle[nextInFace(h)]] - mesh.position[v];
 		}
 		if (isClosed) tips.push_back({v, mesh.position[v] + way * (share / float(i - first))});
 	}

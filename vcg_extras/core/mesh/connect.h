@@ -12,7 +12,7 @@
 
 namespace gpr {
 
-/// The input in the form of the engine: ordered, with half-edges. Never changed after it is built.
+/// The input in the form of the engine: ordered, with half-edges. Sizes may split and cut it.
 struct Surface {
 	HalfEdgeMesh         mesh;
 	Buffer<int>          sourceFace; ///< per face: the face of the input
@@ -20,7 +20,7 @@ struct Surface {
 									 ///< see pointedSpread, roughDeg and roughWidth
 	Buffer<PackedMeasure> area; ///< per vertex: a third of the area of its faces, working units²
 	Buffer<float>         size; ///< per vertex: see sizing.h; empty: even sizes
-	Buffer<RingSum>       ring; ///< per vertex: see ringSum; empty from the sizes on, or always
+	Buffer<RingSum>       ring; ///< per vertex: see ringSum; for the sizes, and empty after these
 	std::vector<Vec3f>    meetings; ///< see IndexedMesh
 	Frame                 frame;
 	MortonGrid            grid;

@@ -6,8 +6,6 @@
 
 #include <vcg_extras/core/base/sort_unique.h>
 
-#include <utility>
-
 namespace gpr {
 
 namespace {
@@ -34,19 +32,17 @@ LineCut::LineCut(Surface& surface, const Buffer<char>& lines, Workers& workers) 
 		onLine.push_back(m.origin[h]);
 	}
 	sortUnique(onLine);
-	std::vector<int> firstOfOld, firstOfCopy; // half-edges
+	std::vector<int> firstOfCopy; // half-edges
 	for (const int v : onLine) {
 		const std::vector<int> sectors = sectorsAt(m, lines, v);
 		const RingSum          ring    = surface.ring.empty() ? RingSum() : surface.ring[v];
 		onLine_.push_back({v, m.outgoing[v], ring});
-		firstOfOld.push_back(sectors.front());
+		m.outgoing[v] = sectors.front();
 		firstOfCopy.insert(firstOfCopy.end(), sectors.begin() + 1, sectors.end());
 		copyOf_.insert(copyOf_.end(), sectors.size() - 1, v);
 	}
 	for (const Side& side : side_)
 		m.opposite[side.halfEdge] = -1;
-	for (std::size_t i = 0; i < onLine.size(); ++i)
-		m.outgoing[onLine[i]] = firstOfOld[i];
 	addCopies(firstOfCopy);
 	if (!surface.ring.empty()) measureRings();
 }

@@ -73,7 +73,7 @@ private:
 		const float along = (coordinate(p, axis) - coordinate(low_, axis)) * perUnit_;
 		return wholeUpTo(along, 0, num_[axis] - 1);
 	}
-	/// `least` for what is no number: the sides of an empty box.
+	/// `least` if the value is not a number, as for the sides of an empty box.
 	static int wholeUpTo(float value, int least, int most)
 	{
 		return int(std::min(std::max(float(least), value), float(most)));
