@@ -723,7 +723,8 @@ std::string Plan::judge(const ExportFacts& facts)
 	isBest_ = true;
 	if (decisions_.purpose == Purpose::CountToBeHad) {
 		hadNums_.push_back(facts);
-		smallestNum_ = facts.vertexNum;
+		// The number asked for: with the preset paper the mesh has some more or fewer.
+		smallestNum_ = triedVertexNum_;
 		if (!asksForFaces() || hadNums_.size() == 2) throw refusalAtLast();
 		tryToHave(facts.faceNum + attempts_.nextStep());
 		return "";
