@@ -81,7 +81,8 @@ ABLATIONS = [
     ("lines", "lines grow from their ends", "features/crease_lines.cpp", "\t\t\tgrowFromEnds(sharp);\n", ""),
     ("lines", "release of crowded lines", "run/result_stages.cpp",
      "return {mayRelease && areLinesCrowded(run, made.result)};", "return {false};"),
-    ("sizes", "splitting for small sizes", "run/surface_stages.cpp", "if (longFaces.empty()) return;", "return;"),
+    ("sizes", "splitting for small sizes", "run/input_stages.cpp",
+     "if (tooLong.faces.empty()) return false;", "return false;"),
 ]
 
 # What the rows above may not be deleted for one by one: all that look idle are switched off together, too.

@@ -8,6 +8,7 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/failure.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -105,6 +106,42 @@ TEST(SplitLongEdgesOf, ALongFaceIsFoundAtTheVeryEnd)
 	const IndexedMesh m = loaded(mesh, workers);
 	EXPECT_EQ(findLongFaces(m, measureFaces(m, workers), 0.2f, workers),
 			  std::vector<int>{m.faceNum - 1});
+}
+
+/// An edge is too long for the smaller size of its ends. All faces are found, unless only the error
+/// decides the sizes and the faces are few.
+TEST(SplitLongEdgesOf, FacesAreLongForTheirSizes)
+{
+	Workers workers(2, nullptr);
+	Surface s = surfaceOf(icosphere(4), workers);
+	s.size    = Buffer<float>(s.mesh.vertexNum);
+	for (int v = 0; v < s.mesh.vertexNum; ++v)
+		s.size[v] = std::clamp(1.5f * s.mesh.position[v].x / s.grid.cubeSize, 0.25f, 1.0f);
+	const auto longFacesFor = [&](float limit) {
+		std::vector<int> faces;
+		for (int f = 0; f < s.mesh.faceNum; ++f) {
+			bool isLong = false;
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const float least = std::min(s.size[s.mesh.origin[h]], s.size[s.mesh.target(h)]);
+				isLong            = isLong || s.mesh.edgeLength(h) > limit * least;
+			}
+			if (isLong) faces.push_back(f);
+		}
+		return faces;
+	};
+	const float edge = s.mesh.edgeLength(0);
+	for (const float radius : {edge, 2 * edge, 4 * edge, 8 * edge}) {
+		const LongFaces byWish = findTooLong(s, radius, false, workers);
+		EXPECT_EQ(byWish.faces, longFacesFor(byWish.longest));
+		EXPECT_FLOAT_EQ(byWish.longest, longestEdgeInRadii * radius);
+		const LongFaces byError = findTooLong(s, radius, true, workers);
+		EXPECT_EQ(byError.faces, longFacesFor(byError.longest));
+		EXPECT_FLOAT_EQ(byError.longest, longestSingleEdge * radius);
+	}
+	std::fill(s.size.begin(), s.size.end(), 1.0f);
+	s.size[0] = 0.125f; // five or six of 5,120 faces
+	EXPECT_GE(findTooLong(s, 2 * edge, false, workers).faces.size(), 5u);
+	EXPECT_TRUE(findTooLong(s, 2 * edge, true, workers).faces.empty());
 }
 
 /// A huge face beside small faces, like a stray triangle of a scan: only the huge face is split.

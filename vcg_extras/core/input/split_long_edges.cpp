@@ -14,7 +14,18 @@ namespace gpr {
 
 namespace {
 
-using Face = SplitFaces::Face;
+/// A face to split, or a part of a face.
+struct Face {
+	int corner[3]; ///< from the mesh's number of vertices on: new vertices, in their order
+	int source;    ///< face of the input mesh that contains this face
+};
+
+/// The faces and vertices made of split faces.
+struct SplitFaces {
+	std::vector<Face>  faces;
+	std::vector<Vec3f> position; ///< of the new vertices, one for each split edge
+	std::vector<float> size;     ///< of the new vertices; empty for a mesh without sizes
+};
 
 /// The rule for edges that are too long.
 struct EdgeRule {
@@ -54,21 +65,16 @@ struct EdgeRule {
 /// faces are needed.
 class Splitter {
 public:
-	/// position, size: of the mesh's vertexNum vertices, size may be empty; faceNum: number of the
-	/// mesh's faces.
-	Splitter(const Buffer<Vec3f>& position, const Buffer<float>& size, int vertexNum, int faceNum,
-			 float maxLength, std::int64_t maxFaces, Workers& workers) :
-			position_(position),
-			vertexNum_(vertexNum), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
-			faceNum_(faceNum), poller_(workers)
+	Splitter(const IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
+			 std::int64_t maxFaces, Workers& workers) :
+			mesh_(mesh),
+			rule_{maxLength * maxLength, mesh.size}, maxFaces_(maxFaces),
+			faceNum_(std::int64_t(mesh.faceNum) - std::int64_t(longFaces.size())), poller_(workers)
 	{
-	}
-
-	/// Adds a face of the mesh, by its three corners.
-	void addFace(const int* t, int source)
-	{
-		todo_.push_back({{t[0], t[1], t[2]}, source});
-		--faceNum_;
+		for (int f : longFaces) {
+			const int* t = &mesh.triangle[3 * f];
+			todo_.push_back({{t[0], t[1], t[2]}, mesh.sourceFace[f]});
+		}
 	}
 
 	bool isLong(int a, int b) const
@@ -91,33 +97,32 @@ public:
 	}
 
 private:
-	const Buffer<Vec3f>& position_;
-	int                  vertexNum_;
-	EdgeRule             rule_;
-	std::int64_t         maxFaces_;
-	std::int64_t         faceNum_; ///< of the mesh, without the faces added here
-	Poller               poller_;
-	std::vector<Face>    todo_;
-	SplitFaces           split_;
+	const IndexedMesh& mesh_;
+	EdgeRule           rule_;
+	std::int64_t       maxFaces_;
+	std::int64_t       faceNum_; ///< of the mesh, without the long faces
+	Poller             poller_;
+	std::vector<Face>  todo_;
+	SplitFaces         split_;
 	/// Edges split in this round; with strips all split edges, as a strip splits its edges ahead.
 	EdgeTable midpoint_;
 	bool      hasStrips_ = false;
 
 	Vec3f position(int v) const
 	{
-		return v < vertexNum_ ? position_[v] : split_.position[v - vertexNum_];
+		return v < mesh_.vertexNum ? mesh_.position[v] : split_.position[v - mesh_.vertexNum];
 	}
 
 	float sizeOf(int v) const
 	{
 		if (rule_.size.empty()) return 1;
-		return v < vertexNum_ ? rule_.size[v] : split_.size[v - vertexNum_];
+		return v < mesh_.vertexNum ? mesh_.size[v] : split_.size[v - mesh_.vertexNum];
 	}
 
 	int midpointOf(int a, int b)
 	{
 		poller_.count();
-		const int next   = vertexNum_ + int(split_.position.size());
+		const int next   = mesh_.vertexNum + int(split_.position.size());
 		const int middle = midpoint_.findOrPut(a, b, next);
 		if (middle == next) {
 			split_.position.push_back((position(a) + position(b)) * 0.5f);
@@ -306,36 +311,13 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 	});
 }
 
-std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers& workers)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	const EdgeRule      rule{maxLength * maxLength, surface.size};
-	return workers.collectIf(m.faceNum,
-							 [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); });
-}
-
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers)
 {
 	if (longFaces.empty()) return 0;
-	Splitter splitter(mesh.position, mesh.size, mesh.vertexNum, mesh.faceNum, maxLength, maxFaces,
-					  workers);
-	for (int f : longFaces)
-		splitter.addFace(&mesh.triangle[3 * f], mesh.sourceFace[f]);
-	const SplitFaces split = splitter.run();
+	const SplitFaces split = Splitter(mesh, longFaces, maxLength, maxFaces, workers).run();
 	writeBack(mesh, longFaces, split, workers);
 	return std::int64_t(split.position.size());
-}
-
-SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFaces,
-						  float maxLength, std::int64_t maxFaces, Workers& workers)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	Splitter splitter(m.position, surface.size, m.vertexNum, m.faceNum, maxLength, maxFaces,
-					  workers);
-	for (int f : longFaces)
-		splitter.addFace(&m.origin[3 * f], surface.sourceFace[f]);
-	return splitter.run();
 }
 
 std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum)
@@ -355,6 +337,21 @@ LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float
 		found.longest = longestSingleEdge * radius;
 		found.faces   = findLongFaces(mesh, found.longest, found.faces, workers);
 	}
+	return found;
+}
+
+LongFaces findTooLong(const Surface& surface, float radius, bool areSizesByError, Workers& workers)
+{
+	// Share of faces. The results are as regular and as near without the splits of so few faces,
+	// and connecting anew would take a tenth of the run.
+	constexpr double    maxSpared = 0.005;
+	const HalfEdgeMesh& m         = surface.mesh;
+	LongFaces           found;
+	found.longest = radius * (areSizesByError ? longestSingleEdge : longestEdgeInRadii);
+	const EdgeRule rule{found.longest * found.longest, surface.size};
+	found.faces = workers.collectIf(
+		m.faceNum, [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); });
+	if (areSizesByError && double(found.faces.size()) < maxSpared * m.faceNum) found.faces.clear();
 	return found;
 }
 

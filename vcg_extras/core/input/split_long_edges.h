@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh/indexed_mesh.h>
 
 #include <cstdint>
 #include <vector>
@@ -38,14 +37,9 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces
 /// Cost: a parallel pass over the groups of faces with such an edge.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers);
-/// The same for a connected surface.
-std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers& workers);
 /// The long faces among given faces. Cost: a look at the given faces.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers);
-
-/// Largest share of split faces up to which noise is still visible on the other faces.
-constexpr double maxUnseen = 0.02;
 
 /// Most faces after splitting long edges, for a mesh of faceNum faces and a result of vertexNum
 /// vertices.
@@ -61,22 +55,9 @@ struct LongFaces {
 LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float radius,
 					  Workers& workers);
 
-/// The faces and vertices made of split faces.
-struct SplitFaces {
-	struct Face {
-		int corner[3]; ///< from the mesh's number of vertices on: new vertices, in their order
-		int source;    ///< face of the input mesh that contains this face
-	};
-	std::vector<Face>  faces;
-	std::vector<Vec3f> position; ///< of the new vertices, working coordinates; a vertex for each
-								 ///< split edge
-	std::vector<float> size;     ///< of the new vertices; empty for a mesh without sizes
-};
-
-/// splitLongEdges for the long faces of a surface. The surface does not change: refineSurface
-/// inserts the parts.
-SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFaces,
-						  float maxLength, std::int64_t maxFaces, Workers& workers);
+/// The faces of a surface that are too long for disks of its local sizes; radius: of the largest
+/// disks. Where only the error decides the sizes, few long faces do no harm.
+LongFaces findTooLong(const Surface& surface, float radius, bool areSizesByError, Workers& workers);
 
 } // namespace gpr
 

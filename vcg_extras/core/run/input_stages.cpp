@@ -55,14 +55,21 @@ bool areSame(const FeatureThresholds& a, const FeatureThresholds& b)
 void splitTooLong(RunContext& run, const LongFaces& tooLong, std::int64_t vertexNum,
 				  IndexedMesh& mesh, WorkingSurface& surface)
 {
-	const std::int64_t maxFaces = maxFacesFor(vertexNum, mesh.faceNum);
-	if (double(tooLong.faces.size()) > maxUnseen * mesh.faceNum)
+	constexpr double   maxUnseen = 0.02; // of the faces: noise is still visible on the other faces
+	const std::int64_t maxFaces  = maxFacesFor(vertexNum, mesh.faceNum);
+	if (!(surface.callersMeanEdge > 0) && double(tooLong.faces.size()) > maxUnseen * mesh.faceNum)
 		surface.callersMeanEdge = meanEdgeLength(mesh, run.workers);
-	surface.cleaned.longEdgesSplit =
+	surface.cleaned.longEdgesSplit +=
 		splitLongEdges(mesh, tooLong.faces, tooLong.longest, maxFaces, run.workers);
 }
 
 // ---- The surface.
+
+void nameSides(const RunContext& run, HalfEdgeMesh& mesh, bool hasMeetings)
+{
+	mesh.meetsAtPlaces = keepsJunctions(run.options) && hasMeetings;
+	mesh.mirrorAxis    = run.input.mirrorAxis;
+}
 
 /// The cleaned mesh for changes: the mesh of the run, or a copy of a cached mesh.
 IndexedMesh takeMesh(RunContext& run, std::shared_ptr<CleanedInput>& input)
@@ -195,12 +202,25 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		if (!tooLong.faces.empty()) splitTooLong(run, tooLong, num, mesh, surface);
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
-	surface.mesh.meetsAtPlaces = keepsJunctions(run.options) && !surface.meetings.empty();
-	surface.mesh.mirrorAxis    = run.input.mirrorAxis;
-	surface.border             = BorderFigures();
+	nameSides(run, surface.mesh, !surface.meetings.empty());
+	surface.border = BorderFigures();
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)
 		surface.border.length = borderLength(surface.mesh) / surface.frame.scale;
 	return {!isConnected};
+}
+
+bool splitForSizes(RunContext& run, float radius, bool areSizesByError, std::int64_t vertexNum,
+				   WorkingSurface& surface)
+{
+	const LongFaces tooLong = findTooLong(surface, radius, areSizesByError, run.workers);
+	if (tooLong.faces.empty()) return false;
+	run.clock.enter(Stage::SplitLongEdges);
+	IndexedMesh mesh = disconnect(surface);
+	splitTooLong(run, tooLong, vertexNum, mesh, surface);
+	connectOrRepair(run, mesh, surface.cleaned, surface);
+	surface.ring.release();
+	nameSides(run, surface.mesh, !surface.meetings.empty());
+	return true;
 }
 
 void fillCache(RunContext& run, InputCache& cache, Products& made)

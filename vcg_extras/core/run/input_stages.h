@@ -83,6 +83,11 @@ InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* ca
 SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache* cache,
 						 Products& made);
 
+/// Step Sizes: splits edges that are too long for the surface's sizes (findTooLong), and connects
+/// the parts. New vertices get sizes, too. False if nothing is split.
+bool splitForSizes(RunContext& run, float radius, bool areSizesByError, std::int64_t vertexNum,
+				   WorkingSurface& surface);
+
 /// Makes and keeps all products that runs with these options share.
 void fillCache(RunContext& run, InputCache& cache, Products& made);
 

@@ -8,8 +8,6 @@
 #include <vcg_extras/core/features/feature_region.h>
 #include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/features/shared_borders.h>
-#include <vcg_extras/core/input/split_long_edges.h>
-#include <vcg_extras/core/input/surface_refinement.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/sampling/error_sizes.h>
 #include <vcg_extras/core/sampling/sizing.h>
@@ -220,23 +218,6 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, Products& made)
 					  made.surface, run.workers);
 }
 
-/// Splits edges that are too long for small triangles. New vertices get sizes, too.
-void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Products& made)
-{
-	WorkingSurface&        surface   = made.surface;
-	const std::vector<int> longFaces = findLongFaces(surface, longest, run.workers);
-	if (longFaces.empty()) return;
-	run.clock.enter(Stage::SplitLongEdges);
-	const int faceNum = surface.mesh.faceNum;
-	if (!(surface.callersMeanEdge > 0) && double(longFaces.size()) > maxUnseen * faceNum)
-		surface.callersMeanEdge = meanEdgeLength(surface.mesh, run.workers);
-	const std::int64_t maxFaces = maxFacesFor(vertexNum, faceNum);
-	surface.cleaned.longEdgesSplit +=
-		refineSurface(longFaces, longest, maxFaces, surface, run.workers);
-	made.lines = Lines();
-	findRegionOnSurface(run, made);
-}
-
 /// Gives the surface its sizes, and the largest disks the radius for the sizes.
 void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
@@ -246,7 +227,10 @@ void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 	made.surface.size = std::move(made.sizes.size);
 	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
-	splitForSizes(run, made.sizes.longestEdge * radius, decisions.spacedFor(), made);
+	if (!splitForSizes(run, radius, made.sizes.areByError, decisions.spacedFor(), made.surface))
+		return;
+	made.lines = Lines();
+	findRegionOnSurface(run, made);
 }
 
 /// Without a change of the border, the possible numbers of vertices or faces are multiples of this

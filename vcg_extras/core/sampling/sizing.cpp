@@ -314,10 +314,9 @@ Buffer<float> errorSizes(const SizingRequest& request, Surface& surface, Workers
 
 Sizing makeCalibrated(const SizingRequest& request, Surface& surface, Workers& workers)
 {
-	const bool onlyByError = !wantsOtherSizes(request);
-	Sizing     sizing;
-	sizing.longestEdge = onlyByError ? longestSingleEdge : longestEdgeInRadii;
-	if (onlyByError) {
+	Sizing sizing;
+	sizing.areByError = !wantsOtherSizes(request);
+	if (sizing.areByError) {
 		sizing.size = errorSizes(request, surface, workers);
 	}
 	else {

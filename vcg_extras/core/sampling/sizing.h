@@ -16,9 +16,9 @@ namespace gpr {
 /// The local sizes: for every vertex of the surface its disk radius over the largest disk radius,
 /// in (0, 1].
 struct Sizing {
-	Buffer<float> size;                     ///< empty: the same everywhere
-	double        radiusFactor = 1;         ///< largest disk radius over the radius of eq. (1)
-	float longestEdge = longestEdgeInRadii; ///< longest edge of the surface, in local disk radii
+	Buffer<float> size;                 ///< empty: the same everywhere
+	double        radiusFactor = 1;     ///< largest disk radius over the radius of eq. (1)
+	bool          areByError   = false; ///< and by nothing else
 	/// With TargetMode::Sizes: half the number of faces for the sizes, and the number of border
 	/// edges.
 	double       vertexNum = 0, borderEdgeNum = 0;
