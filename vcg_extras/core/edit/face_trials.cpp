@@ -281,9 +281,7 @@ int FaceTrials::contactNum(const std::vector<int>& faces)
 /// The corners of f and the vertices within ringNum rings round the corners.
 std::vector<int> FaceTrials::ringsRound(int f, int ringNum)
 {
-	std::vector<int> vertices = verticesOf(m_, {f});
-	for (int ring = 0; ring < ringNum; ++ring)
-		vertices = verticesOf(m_, facesRound(m_, vertices));
+	std::vector<int> vertices = verticesOf(m_, widened(m_, {f}, ringNum));
 	room_.work -= workOfPatchFace * std::int64_t(vertices.size());
 	return vertices;
 }

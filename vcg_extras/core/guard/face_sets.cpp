@@ -24,13 +24,6 @@ bool hasOnlyMarked(const HalfEdgeMesh& m, int v, const std::vector<char>& marked
 	return !anyOutgoing(m, v, [&](int h) { return !marked[h / 3]; });
 }
 
-std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int rings)
-{
-	for (int ring = 0; ring < rings; ++ring)
-		faces = facesRound(m, verticesOf(m, faces));
-	return faces;
-}
-
 std::vector<int> facesBetween(const HalfEdgeMesh& m, const std::vector<int>& vertices)
 {
 	const SparseArray<int> place = placesIn(vertices, m.vertexNum);

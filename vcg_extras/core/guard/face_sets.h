@@ -17,9 +17,6 @@ std::vector<int> markedFaces(const std::vector<char>& marked);
 /// Whether all faces at a living vertex have a mark.
 bool hasOnlyMarked(const HalfEdgeMesh& mesh, int v, const std::vector<char>& marked);
 
-/// Adds the faces at the vertices of the faces, `rings` times.
-std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings);
-
 /// The faces with all corners among the vertices.
 std::vector<int> facesBetween(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
 

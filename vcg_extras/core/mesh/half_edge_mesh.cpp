@@ -65,6 +65,13 @@ std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces
 	return vertices;
 }
 
+std::vector<int> widened(const HalfEdgeMesh& m, std::vector<int> faces, int rings)
+{
+	for (int ring = 0; ring < rings; ++ring)
+		faces = facesRound(m, verticesOf(m, faces));
+	return faces;
+}
+
 MeshView viewOf(const HalfEdgeMesh& mesh)
 {
 	MeshView view;

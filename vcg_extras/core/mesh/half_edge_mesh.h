@@ -217,6 +217,8 @@ bool anyNeighbour(const HalfEdgeMesh& m, int v, const Test& test)
 std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
 /// The corners of the faces, ascending.
 std::vector<int> verticesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+/// Adds the faces at the corners of the faces, `rings` times.
+std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings);
 
 /// A view of vertices and faces in the form of an input mesh. The mesh must stay in place.
 MeshView viewOf(const HalfEdgeMesh& mesh);

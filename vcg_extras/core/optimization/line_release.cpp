@@ -32,14 +32,6 @@ std::vector<int> facesAtLines(const HalfEdgeMesh& m, Workers& workers)
 	return workers.collectIf(m.faceNum, isAtLine);
 }
 
-std::vector<int> verticesNear(const HalfEdgeMesh& m, const std::vector<int>& faces)
-{
-	std::vector<int> vertices = verticesOf(m, faces);
-	for (int ring = 0; ring < ringNum; ++ring)
-		vertices = verticesOf(m, facesRound(m, vertices));
-	return vertices;
-}
-
 /// The normals of the two sides of a wall have a smaller cosine than this.
 constexpr float mostOfWall = -0.5f;
 /// Thickest wall that keeps its lines, in ideal edges. A thicker wall is hardly thinner without
@@ -108,7 +100,7 @@ std::int64_t releaseLines(float angleDeg, ResultMesh& result, Workers& workers)
 	if (!m.hasCreases()) return 0;
 	const std::vector<int> poor        = poorOnes(m, angleDeg * radians, facesAtLines(m, workers));
 	std::int64_t           releasedNum = 0;
-	for (int v : takeMarksOff(verticesNear(m, poor), result)) {
+	for (int v : takeMarksOff(verticesOf(m, widened(m, poor, ringNum)), result)) {
 		if (m.isCurveVertex(v)) continue;
 		ResultVertex& record = result.vertex[v];
 		record.curve         = -1;
