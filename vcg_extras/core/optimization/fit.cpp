@@ -263,12 +263,9 @@ private:
 		moves.takeOver();
 		// Records of unmoved vertices must stay: at a crease edge a record might walk round the
 		// edge.
-		bool hasMoved = false;
-		for (int v = 0; v < m_.vertexNum; ++v) {
+		for (int v = 0; v < m_.vertexNum; ++v)
 			isFree_[v] = isFree_[v] && !(moves.shift(v) == Vec3f());
-			hasMoved   = hasMoved || isFree_[v];
-		}
-		return !hasMoved || takeBackOffenders(moves);
+		return takeBackOffenders(moves);
 	}
 
 	/// Takes back the moves of faces that are inverted at the present records. False if this did
@@ -276,11 +273,10 @@ private:
 	bool takeBackOffenders(MoveGuard& moves)
 	{
 		for (int i = 0; i < maxTakeBacks; ++i) {
-			const Buffer<Vec3f> normal = smoothNormals(surface_, r_, workers_);
-			const auto looksAgainst    = [&](int f) { return normalAgreement(m_, normal, f) < 0; };
-			std::vector<int> faces     = workers_.collectIf(m_.faceNum, looksAgainst);
-			const auto       stands    = [&](int f) { return !moves.hasMoved(f); };
-			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
+			const Buffer<Vec3f>    normal = smoothNormals(surface_, r_, workers_);
+			const std::vector<int> faces  = workers_.collectIf(m_.faceNum, [&](int f) {
+                return normalAgreement(m_, normal, f) < 0 && moves.hasMoved(f);
+            });
 			if (faces.empty()) return true;
 			moves.takeBack(faces, normal);
 			followOnSurface();

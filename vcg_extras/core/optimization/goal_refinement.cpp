@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace gpr {
@@ -120,19 +121,16 @@ private:
 	std::vector<Box<double>> regionsToSearch(Triangles now)
 	{
 		std::vector<Box<double>> regions;
-		if (last_.empty()) {
-			last_ = std::move(now);
-			return regions;
-		}
+		const Triangles          before = std::exchange(last_, std::move(now));
+		if (before.empty()) return regions;
 		for (const FarPoint& p : points_)
 			regions.emplace_back(Vec3d(p.position), Vec3d(p.position));
-		for (std::size_t f = 0; f < std::max(now.size(), last_.size()); ++f) {
-			if (f < now.size() && f < last_.size() && now[f] == last_[f]) continue;
-			for (const Triangles* faces : {&last_, &now}) {
+		for (std::size_t f = 0; f < std::max(last_.size(), before.size()); ++f) {
+			if (f < last_.size() && f < before.size() && last_[f] == before[f]) continue;
+			for (const Triangles* faces : {&before, &std::as_const(last_)}) {
 				if (f < faces->size()) regions.push_back(roundFace((*faces)[f]));
 			}
 		}
-		last_ = std::move(now);
 		return regions;
 	}
 
