@@ -11,6 +11,7 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/features/curve_slide.h>
@@ -593,7 +594,7 @@ template <class OnMesh>
 bool raiseAngles(OnMesh& on, float angleDeg)
 {
 	const ClosestFaceMap map(on.surface, on.result, on.workers);
-	Assignment           assignment(on.surface, map, on.result.mesh.faceNum);
+	Assignment           assignment(on.surface, map, numbersBelow(on.result.mesh.faceNum));
 	std::int64_t         work = 100000000;
 	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
 	return search.run(smallAngles(search, angleDeg * radians));
@@ -664,7 +665,7 @@ float smallestOf(const Laid& laid)
 bool lowerLargeAngles(Laid& laid, float smallestDeg)
 {
 	const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
-	Assignment           assignment(laid.surface, map, laid.result.mesh.faceNum);
+	Assignment           assignment(laid.surface, map, numbersBelow(laid.result.mesh.faceNum));
 	std::int64_t         work = 100000000;
 	LocalSearch search(laid.surface, laid.boundary, &assignment, work, laid.result, laid.workers);
 	return search.run(largeAngles(search, smallestDeg * radians));

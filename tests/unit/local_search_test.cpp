@@ -7,6 +7,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -50,7 +51,7 @@ bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 void raiseAngles(OnSurface& on)
 {
 	const ClosestFaceMap map(on.surface, on.result, on.workers);
-	Assignment           assignment(on.surface, map, on.m().faceNum);
+	Assignment           assignment(on.surface, map, numbersBelow(on.m().faceNum));
 	std::int64_t         work = 100000000;
 	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
 	search.run(smallAngles(search, 32 * radians));
@@ -257,7 +258,7 @@ bool mayRise(OnSurface& on, float guarded, float top, float from, float to)
 	constexpr float      enough = 1e-3f;
 	const int            first = 40, second = 200;
 	const ClosestFaceMap map(on.surface, on.result, on.workers);
-	Assignment           assignment(on.surface, map, on.m().faceNum);
+	Assignment           assignment(on.surface, map, numbersBelow(on.m().faceNum));
 	std::vector<int>     all(std::size_t(on.m().faceNum));
 	std::iota(all.begin(), all.end(), 0);
 	on.m().position[first].z += top;

@@ -66,10 +66,10 @@ private:
 
 } // namespace
 
-Assignment::Assignment(const Surface& surface, const ClosestFaceMap& map, int mapFaceNum,
+Assignment::Assignment(const Surface& surface, const ClosestFaceMap& map,
 					   std::vector<int> mapFace) :
 		surface_(surface),
-		map_(map), mapFaceNum_(mapFaceNum), mapFace_(std::move(mapFace))
+		map_(map), mapFace_(std::move(mapFace))
 {
 }
 

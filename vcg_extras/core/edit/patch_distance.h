@@ -18,9 +18,8 @@ namespace gpr {
 /// from closest faces, and the later transfers from face to face.
 class Assignment {
 public:
-	/// mapFace: per face, its number in the map, -1: none; empty: the same number.
-	Assignment(const Surface& surface, const ClosestFaceMap& map, int mapFaceNum,
-			   std::vector<int> mapFace = {});
+	/// mapFace: per face, its number in the map, -1: none; further faces have none.
+	Assignment(const Surface& surface, const ClosestFaceMap& map, std::vector<int> mapFace);
 
 	/// Hands the vertices of the removed face `from`, once at `triangle`, to the nearest face of
 	/// `faces`.
@@ -47,15 +46,10 @@ private:
 
 	const Surface&                  surface_;
 	const ClosestFaceMap&           map_;
-	int                             mapFaceNum_;
 	std::vector<int>                mapFace_;
 	std::map<int, std::vector<int>> further_; ///< per face: faces of the map besides its own
 
-	int mapFaceOf(int f) const
-	{
-		if (!mapFace_.empty()) return f < int(mapFace_.size()) ? mapFace_[f] : -1;
-		return f < mapFaceNum_ ? f : -1;
-	}
+	int mapFaceOf(int f) const { return f < int(mapFace_.size()) ? mapFace_[f] : -1; }
 
 	template <class Visit>
 	bool forEachOfMap(int f, const Visit& visit) const

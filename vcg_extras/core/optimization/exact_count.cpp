@@ -43,22 +43,6 @@ struct CountChange {
 	}
 };
 
-std::int64_t livingVertexNum(const HalfEdgeMesh& m)
-{
-	std::int64_t num = 0;
-	for (int v = 0; v < m.vertexNum; ++v)
-		num += m.outgoing[v] >= 0 ? m.multiplicity(m.position[v]) : 0;
-	return num;
-}
-
-std::int64_t livingFaceNum(const HalfEdgeMesh& m)
-{
-	std::int64_t num = 0;
-	for (int f = 0; f < m.faceNum; ++f)
-		num += isDeadFace(m, f) ? 0 : m.sideNum();
-	return num;
-}
-
 /// The facts of a vertex that decide the order of operations.
 struct Facts {
 	float size    = 1; ///< local size
@@ -73,8 +57,8 @@ public:
 			surface_(surface),
 			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
 			byFaces_(target.faceNum > 0), innerStep_((byFaces_ ? 2 : 1) * m_.sideNum()),
-			wanted_(byFaces_ ? target.faceNum : target.vertexNum + result.copyNum),
-			num_(byFaces_ ? livingFaceNum(result.mesh) : livingVertexNum(result.mesh))
+			wanted_(byFaces_ ? target.faceNum : target.vertexNum),
+			num_(byFaces_ ? result.faceNum() : result.vertexNum())
 	{
 	}
 
@@ -576,24 +560,18 @@ private:
 
 	// ---- the border
 
-	/// The border edges that help, in the order for a split or collapse.
-	std::vector<CountChange> borderEdges(bool toSplit) const
-	{
-		std::vector<CountChange> all =
-			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
-				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
-				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
-				if (stepOf(h) == innerStep_) return;
-				out.push_back({0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
-			});
-		std::sort(all.begin(), all.end());
-		return all;
-	}
-
 	bool isCollapsibleBorder(int h) const
 	{
 		const ResultVertex& v = r_.vertex[m_.origin[h]];
 		return !r_.keepsBorder && !v.isPinned && !v.isCorner && !v.isShared;
+	}
+
+	/// The split or collapse of a border edge that changes the number by less than an inner edge.
+	std::optional<CountChange> findBorderChange(int h, bool toSplit) const
+	{
+		if (!m_.isBorderEdge(h) || stepOf(h) == innerStep_) return {};
+		if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return {};
+		return CountChange{0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0};
 	}
 
 	/// Splits or collapses a border edge, if any border edge allows that.
@@ -603,7 +581,8 @@ private:
 		beginRound();
 		reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
 		for (const bool toSplit : {true, false}) {
-			for (const CountChange& op : borderEdges(toSplit)) {
+			const auto find = [&](int h, int) { return findBorderChange(h, toSplit); };
+			for (const CountChange& op : operationsOfRound(find)) {
 				if (make(op, toSplit)) return;
 			}
 		}

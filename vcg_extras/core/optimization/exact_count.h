@@ -36,7 +36,7 @@ struct CountTarget {
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary,
 					 const CountTarget& target, ResultMesh& result, Workers& workers);
 
-/// The same, but the dead faces and vertices stay in the mesh.
+/// The same, but dead faces and vertices stay in the mesh, which must have none before.
 bool changeCount(const Surface& surface, const BoundaryCurves& boundary, const CountTarget& target,
 				 ResultMesh& result, Workers& workers);
 

@@ -4,6 +4,7 @@
 
 #include "face_goals.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
@@ -69,7 +70,7 @@ public:
 				   double shareOfWork, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(*wanted.map),
-			mapFaceNum_(result.mesh.faceNum),
+			mapFace_(numbersBelow(std::size_t(result.mesh.faceNum))),
 			work_(
 				std::int64_t(shareOfWork * double(workOf(Driver::PoorFaces, result.mesh.faceNum)))),
 			r_(result), workers_(workers)
@@ -94,7 +95,6 @@ private:
 	const PoorFaces&      wanted_;
 	float                 angle_;
 	const ClosestFaceMap& map_;
-	int                   mapFaceNum_;
 	std::vector<int>      mapFace_;                   ///< see Assignment
 	std::int64_t          work_;                      ///< left to all searches
 	std::int64_t          workOfPairs_ = workOfPairs; ///< left to pairs of operations
@@ -120,7 +120,7 @@ private:
 	/// Raises angles by moves and flips.
 	bool raiseAngles()
 	{
-		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+		Assignment  assignment(surface_, map_, mapFace_);
 		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
 		Goal        goal = limited(smallAngles(search, angle_));
 		if (!(wanted_.maxGap > 0)) return search.run(goal);
@@ -137,7 +137,7 @@ private:
 	bool lowerLargeAngles()
 	{
 		if (findObtuseFaces(r_.mesh, asPoorAs(angle_), workers_).empty()) return true;
-		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+		Assignment  assignment(surface_, map_, mapFace_);
 		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
 		return search.run(limited(largeAngles(search, angle_)));
 	}
@@ -165,10 +165,10 @@ private:
 	bool changeCount()
 	{
 		if (!changeByTrials()) return false;
+		compact();
 		const bool isReached = !wanted_.target.isGiven() ||
 							   gpr::changeCount(surface_, curves_, wanted_.target, r_, workers_);
-		followCompaction();
-		compactResult(r_, workers_);
+		compact();
 		if (!isReached) return false;
 		raiseAngles();
 		return true;
@@ -178,7 +178,7 @@ private:
 	/// changed.
 	bool changeByTrials()
 	{
-		Assignment   assignment(surface_, map_, mapFaceNum_, mapFace_);
+		Assignment   assignment(surface_, map_, mapFace_);
 		std::int64_t work = work_;
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
 		Goal         angles    = limited(smallAnglesByCount(search, angle_));
@@ -193,20 +193,16 @@ private:
 		return search.changeNum() > 0;
 	}
 
-	/// Assigns the faces of the map to the faces that compaction will leave.
-	void followCompaction()
+	/// Drops dead faces, and assigns the faces of the map to the faces that are left.
+	void compact()
 	{
-		const HalfEdgeMesh& m = r_.mesh;
-		std::vector<int>    mapFace;
-		for (int f = 0; f < m.faceNum; ++f) {
-			if (isDeadFace(m, f)) continue;
-			const int then = mapFace_.empty() ? mapFaceNum_ : int(mapFace_.size());
-			if (f >= then)
-				mapFace.push_back(-1); // a new face
-			else
-				mapFace.push_back(mapFace_.empty() ? f : mapFace_[f]);
+		std::vector<int> mapFace;
+		for (int f = 0; f < r_.mesh.faceNum; ++f) {
+			const bool isNew = f >= int(mapFace_.size());
+			if (!isDeadFace(r_.mesh, f)) mapFace.push_back(isNew ? -1 : mapFace_[f]);
 		}
 		mapFace_ = std::move(mapFace);
+		compactResult(r_, workers_);
 	}
 
 	Poorness poorness() const

@@ -4,6 +4,7 @@
 
 #include "face_goals.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/edit/local_search.h>
@@ -267,7 +268,7 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 	}
 
 	const ClosestFaceMap map(surface, result, workers);
-	Assignment           assignment(surface, map, result.mesh.faceNum);
+	Assignment           assignment(surface, map, numbersBelow(std::size_t(result.mesh.faceNum)));
 	std::int64_t         work = workOf(Driver::PoorFaces, result.mesh.faceNum);
 	LocalSearch          search(surface, curves, &assignment, work, result, workers);
 	Goal                 goal = smallAngles(search, settings.minAngle);
