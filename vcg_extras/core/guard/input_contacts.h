@@ -3,14 +3,12 @@
 #ifndef VCG_EXTRAS_CORE_GUARD_INPUT_CONTACTS_H
 #define VCG_EXTRAS_CORE_GUARD_INPUT_CONTACTS_H
 
-#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace gpr {
@@ -25,10 +23,10 @@ public:
 				  const std::vector<FacePair>& pairs, float distance, Workers& workers);
 
 	/// Faces of the input found in contact.
-	std::int64_t faceNum() const { return touching_ ? touching_->faceNum() : 0; }
+	std::int64_t faceNum() const { return touching_.faceNum(); }
 
 	/// Whether a face of the result is near a contact of the input.
-	bool isNear(const HalfEdgeMesh& result, int f) const;
+	bool isNear(const HalfEdgeMesh& result, int f) const { return isNearAny(touching_, result, f); }
 	/// The pairs of the result that are not near contacts of the input.
 	std::vector<FacePair> withoutInputs(const HalfEdgeMesh&          result,
 										const std::vector<FacePair>& pairs) const;
@@ -37,10 +35,12 @@ public:
 								   Workers& workers) const;
 
 private:
-	float                      distance_;
-	std::unique_ptr<FaceBoxes> touching_; ///< faces of the input with contacts; null: none
+	float     distance_;
+	FaceBoxes touching_; ///< faces of the input with contacts
 
-	Box<float> surroundings(const HalfEdgeMesh& result, int f) const;
+	FaceBoxes findTouching(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+						   const std::vector<FacePair>& pairs, Workers& workers) const;
+	bool      isNearAny(const FaceBoxes& boxes, const HalfEdgeMesh& mesh, int f) const;
 };
 
 } // namespace gpr
