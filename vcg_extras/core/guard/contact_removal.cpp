@@ -3,6 +3,7 @@
 #include "contact_removal.h"
 
 #include "cube_decimation.h"
+#include "face_sets.h"
 #include "guarded_relaxation.h"
 #include "input_contacts.h"
 #include "patch_rounds.h"
@@ -26,27 +27,6 @@ namespace {
 constexpr float nearInputs = 1.5f;
 /// With fewer vertices patches hardly ever fit.
 constexpr int leastForPatches = 100;
-
-/// The faces of the wanted components. name: takes the vertices of `from` in the part, ascending.
-HalfEdgeMesh partOf(const HalfEdgeMesh& from, const Components& components,
-					const std::vector<char>& wanted, Workers& workers, std::vector<int>& name)
-{
-	const auto   isWanted = [&](int f) { return wanted[components.ofFace[f]] != 0; };
-	HalfEdgeMesh part     = copyMesh(from, workers);
-	part.crease.release();
-	for (int v = 0; v < from.vertexNum; ++v) {
-		if (from.outgoing[v] >= 0 && isWanted(from.outgoing[v] / 3))
-			name.push_back(v);
-		else
-			part.outgoing[v] = -1;
-	}
-	for (int f = 0; f < from.faceNum; ++f) {
-		if (!isWanted(f)) part.origin[3 * f] = -1;
-	}
-	Buffer<int> newIndex;
-	compact(part, workers, newIndex);
-	return part;
-}
 
 /// Appends a mesh without dead faces.
 void append(const HalfEdgeMesh& from, HalfEdgeMesh& to)
@@ -80,40 +60,21 @@ public:
 		takeComponents(faces);
 	}
 
-	/// Collapses edges until the number of vertices is the result's, or no collapse is possible.
-	void decimate()
+	/// Makes the components anew if possible.
+	ContactOutcome run()
 	{
-		HalfEdgeMesh together = putTogether();
-		made_.guarded = std::make_unique<GuardedMesh>(std::move(together), hadContacts_, &workers_);
-		fixVertices();
-		decimateGuarded(settingsFor(making_, result_, lengthWeight()), *made_.guarded, workers_);
-	}
-
-	std::int64_t reached() const { return made_.guarded->mesh.vertexNum; }
-	/// Whether the taken components of the input had contacts.
-	bool hadContacts() const { return hadContacts_; }
-	/// Whether collapses have made contacts: a kept border counts more than contacts.
-	bool hasNewContacts() const
-	{
-		return result_.keepsBorder && !hadContacts_ &&
-			   !findTouchingPairs(made_.guarded->mesh, workers_).empty();
-	}
-
-	/// Makes the decimated mesh more regular. False if degenerate faces are left, as between fixed
-	/// vertices.
-	bool relax()
-	{
-		GuardedMesh& guarded = *made_.guarded;
-		relaxGuarded(double(result_.idealEdge), making_.mayLeaveSurface, guarded, workers_);
-		return zeroAreaFaceNum(guarded.mesh, workers_) == 0;
-	}
-
-	/// Replaces the result by the decimated mesh.
-	void take()
-	{
+		decimate();
+		const std::int64_t before  = result_.mesh.vertexNum;
+		const std::int64_t reached = made_.guarded->mesh.vertexNum;
+		if (reached > before && hadContacts_) return {before}; // no promise for such an input
+		if (reached > before && !making_.mayEndAbove) return {reached, true};
+		// Degenerate faces of the input have contacts of their neighbours: no promise there either.
+		if (!relax()) return {before};
+		if (hasNewContacts()) return {before, true};
 		Filled filled  = takeFilled(making_.surface, result_, made_);
 		result_.mesh   = std::move(filled.mesh);
 		result_.vertex = std::move(filled.vertex);
+		return {reached};
 	}
 
 private:
@@ -124,7 +85,7 @@ private:
 	std::vector<char>       isTaken_; ///< per component of the input: to be coarsened
 	std::vector<char>       isLeft_;  ///< per component of the result: to be left
 	RefilledMesh            made_;    ///< the combined mesh
-	bool                    hadContacts_ = false;
+	bool hadContacts_ = false;        ///< the taken components of the input had contacts
 
 	/// With sizes by the error, distance counts more than length.
 	double lengthWeight() const { return 0.01 * portable::pow(0.03, making_.adapt); }
@@ -144,35 +105,66 @@ private:
 		}
 	}
 
+	/// Collapses edges until the number of vertices is the result's, or no collapse is possible.
+	void decimate()
+	{
+		HalfEdgeMesh together = putTogether();
+		made_.guarded = std::make_unique<GuardedMesh>(std::move(together), hadContacts_, &workers_);
+		fixVertices();
+		decimateGuarded(settingsFor(making_, result_, lengthWeight()), *made_.guarded, workers_);
+	}
+
+	/// Makes the decimated mesh more regular. False if degenerate faces are left, as between fixed
+	/// vertices.
+	bool relax()
+	{
+		GuardedMesh& guarded = *made_.guarded;
+		relaxGuarded(double(result_.idealEdge), making_.mayLeaveSurface, guarded, workers_);
+		return zeroAreaFaceNum(guarded.mesh, workers_) == 0;
+	}
+
+	/// Whether collapses have made contacts: a kept border counts more than contacts.
+	bool hasNewContacts() const
+	{
+		return result_.keepsBorder && !hadContacts_ &&
+			   !findTouchingPairs(made_.guarded->mesh, workers_).empty();
+	}
+
+	std::vector<int> facesIn(const Components& components, const std::vector<char>& wanted) const
+	{
+		return workers_.collectIf(components.ofFace.size(),
+								  [&](int f) { return wanted[components.ofFace[f]] != 0; });
+	}
+
 	/// Combines the parts. Components of the result in contact with taken components of the input
 	/// are taken as well.
 	HalfEdgeMesh putTogether()
 	{
 		while (true) {
-			made_ = RefilledMesh();
-			HalfEdgeMesh m =
-				partOf(making_.surface.mesh, ofInput_, isTaken_, workers_, made_.inputVertex);
-			hadContacts_         = !findTouchingFaces(m, workers_, Seams::Apart).empty();
-			const int inputFaces = m.faceNum;
+			const std::vector<int> taken = facesIn(ofInput_, isTaken_);
+			const std::vector<int> left  = facesIn(ofResult_, isLeft_);
+			const std::vector<int> kept  = verticesOf(result_.mesh, left);
+			made_.inputVertex            = verticesOf(making_.surface.mesh, taken);
+			HalfEdgeMesh m               = cutOut(making_.surface.mesh, taken, made_.inputVertex);
+			hadContacts_                 = !findTouchingFaces(m, workers_, Seams::Apart).empty();
 			made_.resultVertex.assign(std::size_t(m.vertexNum), -1);
-			append(partOf(result_.mesh, ofResult_, isLeft_, workers_, made_.resultVertex), m);
+			made_.resultVertex.insert(made_.resultVertex.end(), kept.begin(), kept.end());
+			append(cutOut(result_.mesh, left, kept), m);
 			made_.inputVertex.resize(std::size_t(m.vertexNum), -1);
-			if (m.faceNum == inputFaces) return m;
+			if (left.empty()) return m;
 			std::vector<char> ofResult(std::size_t(m.faceNum), 1);
-			std::fill_n(ofResult.begin(), inputFaces, char(0));
+			std::fill_n(ofResult.begin(), taken.size(), char(0));
 			const std::vector<FacePair> pairs =
 				findTouchingPairs(m, workers_, Seams::Joined, ofResult);
-			if (pairs.empty() || !takeTouching(pairs, inputFaces)) return m;
+			if (!takeTouching(pairs, int(taken.size()), left)) return m;
 		}
 	}
 
-	/// Takes the components in contact. False if there are no such components.
-	bool takeTouching(const std::vector<FacePair>& pairs, int inputFaces)
+	/// Takes the components in contact; the faces of `left` follow inputFaces faces of the input.
+	/// False if there are no such components.
+	bool takeTouching(const std::vector<FacePair>& pairs, int inputFaces,
+					  const std::vector<int>& left)
 	{
-		std::vector<int> left;
-		for (int f = 0; f < result_.mesh.faceNum; ++f) {
-			if (isLeft_[ofResult_.ofFace[f]]) left.push_back(f);
-		}
 		std::vector<int> faces;
 		for (const FacePair& pair : pairs) {
 			if (pair.first < inputFaces) faces.push_back(left[pair.second - inputFaces]);
@@ -191,24 +183,6 @@ private:
 		}
 	}
 };
-
-/// Makes components anew if possible.
-ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vector<int>& faces,
-								 ResultMesh& result, Workers& workers)
-{
-	const std::int64_t before = result.mesh.vertexNum;
-	Replacement        replacement(making, faces, result, workers);
-	replacement.decimate();
-	const std::int64_t reached = replacement.reached();
-	if (reached > before && replacement.hadContacts())
-		return {before}; // no promise for such an input
-	if (reached > before && !making.mayEndAbove) return {reached, true};
-	// Degenerate faces of the input have contacts of their neighbours: no promise there either.
-	if (!replacement.relax()) return {before};
-	if (replacement.hasNewContacts()) return {before, true};
-	replacement.take();
-	return {reached};
-}
 
 /// The contacts of the input near contacts of the result.
 InputContacts contactsOfInput(const MakingOfVertices& making, const std::vector<FacePair>& pairs,
@@ -231,7 +205,7 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 	// Whole sheets made anew would lose their junctions with other sheets.
 	outcome.isRefused = !pairs.empty() && result.mesh.meetsAtPlaces;
 	if (!pairs.empty() && !result.mesh.meetsAtPlaces)
-		outcome = replaceComponents(making, facesOf(pairs), result, workers);
+		outcome = Replacement(making, facesOf(pairs), result, workers).run();
 	outcome.isCapped = isCapped;
 	return outcome;
 }

@@ -3,7 +3,6 @@
 #include "cube_decimation.h"
 
 #include "face_sets.h"
-#include "sparse_array.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
@@ -36,8 +35,6 @@ struct CubePart {
 	GuardedMesh      guarded;
 	std::vector<int> face, vertex; ///< of the whole, ascending
 	int              freeNum = 0;  ///< vertices that may go
-
-	explicit CubePart(bool hadContacts) : guarded(hadContacts) {}
 };
 
 /// A round of collapses in all cubes.
@@ -57,10 +54,7 @@ public:
 		workers_.forEach(cube_.size(), [&](int v) { cube_[v] = grid_.cubeOf(m_.position[v]); });
 		workers_.forEach(cube_.size(), [&](int v) { isFree_[v] = mayGo(v); });
 		sortFaces();
-		std::vector<CubePart> part;
-		part.reserve(std::size_t(grid_.cubeNum()));
-		for (int cube = 0; cube < grid_.cubeNum(); ++cube)
-			part.emplace_back(g_.hadContacts);
+		std::vector<CubePart> part(std::size_t(grid_.cubeNum()));
 		// All parts are cut before the first part changes, since parts have faces in common.
 		forEachCube([&](int cube, Workers&) { cut(cube, part[cube]); });
 		forEachCube([&](int cube, Workers& inner) { decimate(cube, part[cube], inner); });
@@ -72,8 +66,6 @@ private:
 	/// A face in or across a cube.
 	struct Place {
 		int cube, face;
-
-		bool operator<(const Place& o) const { return face < o.face; }
 	};
 
 	const GuardedSettings& settings_;
@@ -84,8 +76,9 @@ private:
 	Workers&               workers_;
 	std::vector<int>       cube_; ///< per vertex
 	std::vector<char>      isFree_;
-	Buffer<int>            start_; ///< per cube: its first place
-	Buffer<Place>          place_;
+	std::vector<Place>     place_;  ///< by faces
+	Buffer<int>            start_;  ///< per cube: in byCube_
+	Buffer<int>            byCube_; ///< places
 
 	bool mayGo(int v) const
 	{
@@ -94,16 +87,15 @@ private:
 
 	void sortFaces()
 	{
-		const std::vector<Place> all =
-			workers_.collectEach<Place>(std::size_t(m_.faceNum), [&](int f, auto& out) {
-				grid_.forEachCube(boxOfFace(m_, f), [&](int cube) {
-					out.push_back({cube, f});
-					return true;
-				});
+		place_ = workers_.collectEach<Place>(std::size_t(m_.faceNum), [&](int f, auto& out) {
+			grid_.forEachCube(boxOfFace(m_, f), [&](int cube) {
+				out.push_back({cube, f});
+				return true;
 			});
+		});
 		sortIntoBuckets(
-			all.size(), std::size_t(grid_.cubeNum()), [&](int i) { return all[i]; },
-			[](const Place& place) { return place.cube; }, workers_, start_, place_);
+			place_.size(), std::size_t(grid_.cubeNum()), [&](int i) { return place_[i].cube; },
+			workers_, start_, byCube_);
 	}
 
 	template <class Body>
@@ -120,12 +112,13 @@ private:
 	void cut(int cube, CubePart& part)
 	{
 		for (int i = start_[cube]; i < start_[cube + 1]; ++i)
-			part.face.push_back(place_[i].face);
+			part.face.push_back(place_[byCube_[i]].face);
 		part.vertex = verticesOf(m_, part.face);
 		for (int v : part.vertex)
 			part.freeNum += isFree_[v];
 		if (part.freeNum == 0) return;
-		part.guarded.mesh = cutMesh(cube, part);
+		part.guarded.mesh        = cutMesh(cube, part);
+		part.guarded.hadContacts = g_.hadContacts;
 		for (int v : part.vertex) {
 			GuardedVertex& from = g_.vertex[v];
 			part.guarded.vertex.push_back(isFree_[v] ? std::move(from) : from.withoutPoints());
@@ -136,18 +129,9 @@ private:
 	/// Vertices in the cube have all their faces in the part. Other vertices are only corners.
 	HalfEdgeMesh cutMesh(int cube, const CubePart& part) const
 	{
-		HalfEdgeMesh           to       = facesAlone(m_, part.face, part.vertex);
-		const SparseArray<int> place    = placesIn(part.face, m_.faceNum);
-		const auto             halfEdge = [&](int h) {
-            const int f = h < 0 ? -1 : place[h / 3];
-            return f < 0 ? -1 : 3 * f + h % 3;
-		};
-		to.mirrorAxis = m_.mirrorAxis;
-		for (int h = 0; h < to.halfEdgeNum(); ++h)
-			to.opposite[h] = halfEdge(m_.opposite[3 * part.face[h / 3] + h % 3]);
+		HalfEdgeMesh to = cutOut(m_, part.face, part.vertex);
 		for (int v = 0; v < to.vertexNum; ++v) {
-			const int own = part.vertex[v];
-			if (cube_[own] == cube) to.outgoing[v] = halfEdge(m_.outgoing[own]);
+			if (cube_[part.vertex[v]] != cube) to.outgoing[v] = -1;
 		}
 		return to;
 	}

@@ -60,4 +60,21 @@ HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
 	return to;
 }
 
+HalfEdgeMesh cutOut(const HalfEdgeMesh& from, const std::vector<int>& faces,
+					const std::vector<int>& vertices)
+{
+	HalfEdgeMesh           to      = facesAlone(from, faces, vertices);
+	const SparseArray<int> place   = placesIn(faces, from.faceNum);
+	const auto             renamed = [&](int h) {
+        const int f = h < 0 ? -1 : place[h / 3];
+        return f < 0 ? -1 : 3 * f + h % 3;
+	};
+	to.mirrorAxis = from.mirrorAxis;
+	for (int h = 0; h < to.halfEdgeNum(); ++h)
+		to.opposite[h] = renamed(from.opposite[3 * faces[h / 3] + h % 3]);
+	for (int v = 0; v < to.vertexNum; ++v)
+		to.outgoing[v] = renamed(from.outgoing[vertices[v]]);
+	return to;
+}
+
 } // namespace gpr

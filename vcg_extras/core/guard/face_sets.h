@@ -25,6 +25,11 @@ std::vector<int> facesBetween(const HalfEdgeMesh& mesh, const std::vector<int>& 
 HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces,
 						const std::vector<int>& vertices);
 
+/// The same with the adjacency of the faces among themselves, for vertices with all their faces
+/// among the faces.
+HalfEdgeMesh cutOut(const HalfEdgeMesh& from, const std::vector<int>& faces,
+					const std::vector<int>& vertices);
+
 } // namespace gpr
 
 #endif

@@ -46,8 +46,7 @@ struct GuardedMesh {
 			   isFixed(mesh.origin[3 * f + 2]);
 	}
 
-	/// Without a mesh.
-	explicit GuardedMesh(bool hasContacts) : hadContacts(hasContacts) {}
+	GuardedMesh() = default;
 	/// From a mesh without dead faces. Each vertex is its own anchor. asked: whether to go on; may
 	/// be null, here and below.
 	GuardedMesh(HalfEdgeMesh from, bool hasContacts, Workers* asked = nullptr);
