@@ -3,11 +3,13 @@
 #include "patch_labels.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
 #include <map>
+#include <set>
 
 namespace gpr {
 
@@ -36,50 +38,27 @@ public:
 	}
 
 private:
-	/// Connected vertices with the same label, or connected vertices inside.
-	struct Piece {
-		int first = -1; ///< first vertex
-		int size  = 0;
-	};
 	const HalfEdgeMesh&           m_;
 	const std::vector<PatchRole>& role_;
 	std::vector<int>&             label_;
-	std::vector<int>              pieceOf_; ///< per vertex
-	std::vector<Piece>            piece_;
-	std::vector<int>              stack_, ring_;
+	std::vector<int>              pieceOf_; ///< per vertex: the first vertex of its piece, or -1
+	std::vector<int>              ring_;
 
 	int  labelOf(int v) const { return label_[v]; }
 	bool isInside(int v) const { return role_[labelOf(v)] == PatchRole::Inside; }
 	bool isBorder(int v) const { return role_[labelOf(v)] == PatchRole::Border; }
 
+	/// A piece: connected vertices of a border cell, or connected vertices inside.
 	void findPieces()
 	{
-		pieceOf_.assign(std::size_t(m_.vertexNum), -1);
-		piece_.clear();
-		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (pieceOf_[v] < 0 && (isInside(v) || isBorder(v))) gather(v);
+		pieceOf_ = numbersBelow(std::size_t(m_.vertexNum));
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			const int  v = m_.origin[h], w = m_.target(h);
+			const bool isSame = isInside(v) ? isInside(w) : labelOf(w) == labelOf(v);
+			if (isSame) joinSets(pieceOf_, v, w);
 		}
-	}
-
-	void gather(int first)
-	{
-		const int name = int(piece_.size());
-		Piece     piece;
-		piece.first     = first;
-		pieceOf_[first] = name;
-		stack_          = {first};
-		while (!stack_.empty()) {
-			const int v = stack_.back();
-			stack_.pop_back();
-			++piece.size;
-			forEachNeighbour(m_, v, [&](int w) {
-				const bool isSame = isInside(v) ? isInside(w) : labelOf(w) == labelOf(v);
-				if (!isSame || pieceOf_[w] >= 0) return;
-				pieceOf_[w] = name;
-				stack_.push_back(w);
-			});
-		}
-		piece_.push_back(piece);
+		for (int v = 0; v < m_.vertexNum; ++v)
+			pieceOf_[v] = isInside(v) || isBorder(v) ? rootOf(pieceOf_, v) : -1;
 	}
 
 	/// Gives the vertices of the marked pieces another label next to the piece, if any. may(w):
@@ -124,17 +103,21 @@ private:
 	/// Gives away all pieces of a border cell but the largest.
 	int joinPieces()
 	{
+		std::vector<int> size(pieceOf_.size(), 0);
+		for (int piece : pieceOf_) {
+			if (piece >= 0) ++size[piece];
+		}
 		std::map<int, int> largest; // per label: a piece
-		for (std::size_t i = 0; i < piece_.size(); ++i) {
-			if (isInside(piece_[i].first)) continue;
-			const auto at = largest.emplace(labelOf(piece_[i].first), int(i)).first;
-			if (piece_[at->second].size < piece_[i].size) at->second = int(i);
+		std::vector<int>   pieces;
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (pieceOf_[v] != v || isInside(v)) continue;
+			pieces.push_back(v);
+			const auto at = largest.emplace(labelOf(v), v).first;
+			if (size[at->second] < size[v]) at->second = v;
 		}
-		std::vector<char> isGiven(piece_.size(), 0);
-		for (std::size_t i = 0; i < piece_.size(); ++i) {
-			if (isInside(piece_[i].first)) continue;
-			isGiven[i] = largest[labelOf(piece_[i].first)] != int(i);
-		}
+		std::vector<char> isGiven(pieceOf_.size(), 0);
+		for (int piece : pieces)
+			isGiven[piece] = largest[labelOf(piece)] != piece;
 		return giveAway(isGiven, [](int) { return true; });
 	}
 
@@ -142,27 +125,21 @@ private:
 	/// disks.
 	int joinEnclosed()
 	{
-		const std::vector<std::vector<int>> met   = cellsMet();
-		const std::vector<int>              euler = eulerOfPieces();
-		std::vector<char>                   isGiven(piece_.size(), 0);
-		for (std::size_t i = 0; i < piece_.size(); ++i)
-			isGiven[i] =
-				isInside(piece_[i].first) && !met[i].empty() && met[i].size() <= 2 && euler[i] == 1;
+		const std::vector<int> euler = eulerOfPieces();
+		std::vector<char>      isGiven(pieceOf_.size(), 0);
+		for (const auto& [piece, labels] : cellsMet())
+			isGiven[piece] = labels.size() <= 2 && euler[piece] == 1;
 		return giveAway(isGiven, [this](int w) { return isBorder(w); });
 	}
 
-	/// Per inner piece: the labels round the piece, three at most.
-	std::vector<std::vector<int>> cellsMet() const
+	/// The labels round the inner pieces that meet any.
+	std::map<int, std::set<int>> cellsMet() const
 	{
-		std::vector<std::vector<int>> met(piece_.size());
+		std::map<int, std::set<int>> met;
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			const int piece = pieceOf_[v];
-			if (piece < 0 || !isInside(v)) continue;
-			std::vector<int>& labels = met[piece];
+			if (pieceOf_[v] < 0 || !isInside(v)) continue;
 			forEachNeighbour(m_, v, [&](int w) {
-				if (isInside(w) || labels.size() > 2) return;
-				if (std::find(labels.begin(), labels.end(), labelOf(w)) == labels.end())
-					labels.push_back(labelOf(w));
+				if (!isInside(w)) met[pieceOf_[v]].insert(labelOf(w));
 			});
 		}
 		return met;
@@ -172,7 +149,7 @@ private:
 	/// disk.
 	std::vector<int> eulerOfPieces() const
 	{
-		std::vector<int> euler(piece_.size(), 0);
+		std::vector<int> euler(pieceOf_.size(), 0);
 		const auto       add = [&](std::initializer_list<int> corners, int sign) {
             for (int v : corners) {
                 if (pieceOf_[v] < 0 || !isInside(v)) continue;
