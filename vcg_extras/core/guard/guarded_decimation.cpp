@@ -139,7 +139,7 @@ private:
 	std::priority_queue<Candidate> queue_;
 	Bounds                         bounds_{};
 	EditScratch                    scratch_;
-	std::vector<int>               gone_, changed_;
+	std::vector<int>               gone_;
 	float                          leastShape_ = 0; ///< least shape of the new faces
 	std::vector<NamedTriangle>     made_;
 
@@ -415,7 +415,7 @@ private:
 		if (hasToGo(merge)) --borderNum_;
 		++stamp_[merge.from];
 		++stamp_[merge.to];
-		followWithGuard(merge.to);
+		guard_.follow(facesRound(m_, {merge.to}));
 		queueRound(merge.to);
 	}
 
@@ -432,13 +432,6 @@ private:
 			to.anchor      = from.anchor;
 			to.anchorPlace = from.anchorPlace;
 		}
-	}
-
-	void followWithGuard(int v)
-	{
-		changed_.clear();
-		forEachOutgoing(m_, v, [&](int h) { changed_.push_back(h / 3); });
-		guard_.follow(changed_);
 	}
 };
 

@@ -32,33 +32,27 @@ int oldVertex(const RefilledMesh& made, int v)
 	return made.resultVertex[made.guarded->vertex[v].anchor];
 }
 
-/// The record of vertex v, on no curve. The point is the nearest in a search from vertex `near` of
-/// the surface. A fixed vertex is pinned.
-ResultVertex madeVertex(const Surface& surface, int near, const GuardedMesh& made, int v)
-{
-	ResultVertex vertex;
-	vertex.point    = nearestByDescent(surface.mesh, near, made.mesh.position[v]);
-	vertex.normal   = surface.mesh.faceNormal(vertex.point.face);
-	vertex.isPinned = made.isFixed(v);
-	vertex.isMade   = true;
-	return vertex;
-}
-
+/// The record of vertex v: of the result if the vertex has not moved; else new, on no curve, with
+/// the nearest point in a search on the surface. A fixed vertex is pinned.
 ResultVertex recordOf(const Surface& surface, const ResultMesh& result, const RefilledMesh& made,
 					  int v)
 {
-	const GuardedMesh& g   = *made.guarded;
-	const int          old = oldVertex(made, v);
-	if (old < 0) {
-		const int anchor = g.vertex[v].anchor;
-		return madeVertex(surface, made.inputVertex[anchor], g, v);
+	const GuardedMesh& g    = *made.guarded;
+	const int          old  = oldVertex(made, v);
+	int                near = made.inputVertex[g.vertex[v].anchor];
+	ResultVertex       record;
+	record.isMade = true;
+	if (old >= 0) {
+		const ResultVertex& before = result.vertex[old];
+		if (g.mesh.position[v] == result.mesh.position[old]) return before;
+		near          = surface.mesh.origin[3 * before.point.face];
+		record.sample = before.sample;
+		record.isMade = before.isMade;
 	}
-	const ResultVertex& before = result.vertex[old];
-	if (g.mesh.position[v] == result.mesh.position[old]) return before;
-	ResultVertex moved = madeVertex(surface, surface.mesh.origin[3 * before.point.face], g, v);
-	moved.sample       = before.sample;
-	moved.isMade       = before.isMade;
-	return moved;
+	record.point    = nearestByDescent(surface.mesh, near, g.mesh.position[v]);
+	record.normal   = surface.mesh.faceNormal(record.point.face);
+	record.isPinned = g.isFixed(v);
+	return record;
 }
 
 /// The number of vertices with marked faces only.

@@ -135,9 +135,7 @@ PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vec
 		const bool isInner = std::binary_search(inner.begin(), inner.end(), part.face[f]);
 		part.isRim.push_back(int(f) < partNum && !isInner);
 	}
-	part.result.keepsBorder     = whole.keepsBorder;
-	part.result.hasSmoothBorder = whole.hasSmoothBorder;
-	part.result.idealEdge       = whole.idealEdge;
+	static_cast<ResultFacts&>(part.result) = whole;
 	return part;
 }
 

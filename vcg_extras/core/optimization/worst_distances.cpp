@@ -245,18 +245,14 @@ private:
 	{
 		bool better = false;
 		for (int move = 0; move < maxMoves && gap_[f] > goal; ++move) {
-			if (!moveCorners(f)) break;
+			const Gap  gap      = gaps_.gapAt(f);
+			const auto isCloser = [&] {
+				return gaps_.isWithin(f, minGain * minGain * gap.squared);
+			};
+			if (gap.squared <= near_ * near_ || !moveSome(f, gap, isCloser)) break;
 			better = true;
 		}
 		return better;
-	}
-
-	bool moveCorners(int f)
-	{
-		const Gap gap = gaps_.gapAt(f);
-		if (gap.squared <= near_ * near_) return false;
-		const auto isCloser = [&] { return gaps_.isWithin(f, minGain * minGain * gap.squared); };
-		return moveSome(f, gap, isCloser);
 	}
 
 	/// Moves all corners of a face, or one corner.
