@@ -258,9 +258,8 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 	PatchInput              local  = facesInCells(surface.mesh, cells, workers);
 	const std::vector<char> isDeep = deepVertices(result.mesh, role);
 	PatchSubdivision(result.mesh, isDeep, local).run(most, workers);
-	local.share     = double(local.mesh.vertexNum) / double(most);
-	local.isTooMuch = local.share > 1;
-	if (!local.isTooMuch) findNearest(result.mesh, isDeep, local, workers);
+	local.share = double(local.mesh.vertexNum) / double(most);
+	if (local.share <= 1) findNearest(result.mesh, isDeep, local, workers);
 	return local;
 }
 

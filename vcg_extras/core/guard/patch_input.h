@@ -18,9 +18,8 @@ struct PatchInput {
 	std::vector<int> inputVertex; ///< per vertex: its vertex of the working surface, or one near
 	std::vector<int> byEdges, byPlace; ///< per vertex: vertices of the result, the nearest along
 									   ///< edges, and the nearest corner of the nearest point
-	int    ownNum    = 0;              ///< first vertices, from the working surface
-	double share     = 0;              ///< ratio of vertices to allowed vertices
-	bool   isTooMuch = false;          ///< share above 1: byPlace unfinished
+	int    ownNum = 0;                 ///< first vertices, from the working surface
+	double share  = 0; ///< ratio of vertices to allowed vertices; above 1: byPlace is unfinished
 
 	/// Per vertex: a near vertex of the result, its label. Labels are corners of the nearest
 	/// points; deep inside patches the nearest vertices along edges. role: of the patches as grown.

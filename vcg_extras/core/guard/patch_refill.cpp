@@ -349,7 +349,7 @@ public:
 		return input_;
 	}
 
-	bool   isTooMuch() const { return input_.isTooMuch || share_ > mostWork; }
+	bool   isTooMuch() const { return input_.share > 1 || share_ > mostWork; }
 	double looks() const { return looks_; } ///< at vertices of the working surface
 
 private:

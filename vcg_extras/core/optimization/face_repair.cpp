@@ -252,15 +252,9 @@ void repairFacesWithoutArea(LocalSearch& search)
 /// Whether f is the first face of a closed component of four.
 bool isFirstOfTetrahedron(const HalfEdgeMesh& m, int f)
 {
-	if (isDeadFace(m, f)) return false;
-	int top = -1;
-	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const int g = m.opposite[h];
-		if (g < 0 || g / 3 < f || m.valence(m.origin[h]) != 3) return false;
-		if (top >= 0 && m.apex(g) != top) return false;
-		top = m.apex(g);
-	}
-	return m.valence(top) == 3;
+	if (isDeadFace(m, f) || m.valence(m.origin[3 * f]) != 3) return false;
+	const std::vector<int> faces = widened(m, {f}, 1);
+	return faces.size() == 4 && faces.front() == f && verticesOf(m, faces).size() == 4;
 }
 
 /// Whether a tetrahedron looks inside, by the normals of the surface at the corners of its four
@@ -268,8 +262,7 @@ bool isFirstOfTetrahedron(const HalfEdgeMesh& m, int f)
 bool looksInside(const Surface& surface, const ResultMesh& r, int first)
 {
 	float sum = 0;
-	for (int f : {first, r.mesh.opposite[3 * first] / 3, r.mesh.opposite[3 * first + 1] / 3,
-				  r.mesh.opposite[3 * first + 2] / 3}) {
+	for (int f : widened(r.mesh, {first}, 1)) {
 		const Vec3f n = r.mesh.faceCross(f);
 		for (int h = 3 * f; h < 3 * f + 3; ++h)
 			sum += dot(n, smoothNormal(surface, r.vertex[r.mesh.origin[h]].point));

@@ -77,6 +77,17 @@ private:
 	Buffer<char>         moves_;
 };
 
+/// The record of a vertex after a walk by the tangential part of a way; none if that is zero.
+std::optional<ResultVertex> walked(const Surface& surface, const ResultVertex& from,
+								   const Vec3f& way)
+{
+	const Vec3f step = tangential(way, from.normal);
+	if (!(squaredLength(step) > 0)) return {};
+	ResultVertex to = from;
+	walkBy(surface, step, to);
+	return to;
+}
+
 /// A step over the surface: every flat vertex moves by the tangential part of way(v).
 template <class Way>
 void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
@@ -84,11 +95,7 @@ void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Worker
 	SurfaceDescent descent(result, workers);
 	descent.step([&](int v) -> std::optional<ResultVertex> {
 		if (!mayWalk(constraintOf(result, v)) || !isFlat(result.mesh, v)) return {};
-		ResultVertex next = result.vertex[v];
-		const Vec3f  step = tangential(way(v), next.normal);
-		if (!(squaredLength(step) > 0)) return {};
-		walkBy(surface, step, next);
-		return next;
+		return walked(surface, result.vertex[v], way(v));
 	});
 }
 
@@ -260,11 +267,7 @@ private:
 	{
 		if (role_[v] == Role::Stays) return {};
 		if (role_[v] == Role::Slides) return slide(v, last_[v]);
-		ResultVertex next = r_.vertex[v];
-		const Vec3f  move = tangential(place_[v] - m_.position[v], next.normal);
-		if (!(squaredLength(move) > 0)) return {};
-		walkBy(surface_, move, next);
-		return next;
+		return walked(surface_, r_.vertex[v], place_[v] - m_.position[v]);
 	}
 
 	bool lowersWorstAngle(int v, const Vec3f& p) const
