@@ -406,7 +406,7 @@ MUTANTS = [
     ("labels: pieces of a cell", "guard/patch_labels.cpp",
      "isGiven[piece] = largest[labelOf(piece)] != piece;", "isGiven[piece] = 0;"),
     ("labels: the larger piece stays", "guard/patch_labels.cpp",
-     "if (size[at->second] < size[v]) at->second = v;", ""),
+     "if (size[at->second] < num) at->second = piece;", ""),
     ("labels: a ring is no disk", "guard/patch_labels.cpp",
      "labels.size() <= 2 && euler[piece] == 1;", "labels.size() <= 2;"),
     ("labels: between three cells", "guard/patch_labels.cpp",

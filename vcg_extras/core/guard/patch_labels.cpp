@@ -103,20 +103,17 @@ private:
 	/// Gives away all pieces of a border cell but the largest.
 	int joinPieces()
 	{
-		std::vector<int> size(pieceOf_.size(), 0);
-		for (int piece : pieceOf_) {
-			if (piece >= 0) ++size[piece];
+		std::map<int, int> size; // per piece
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (isBorder(v)) ++size[pieceOf_[v]];
 		}
 		std::map<int, int> largest; // per label: a piece
-		std::vector<int>   pieces;
-		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (pieceOf_[v] != v || isInside(v)) continue;
-			pieces.push_back(v);
-			const auto at = largest.emplace(labelOf(v), v).first;
-			if (size[at->second] < size[v]) at->second = v;
+		for (const auto& [piece, num] : size) {
+			const auto at = largest.emplace(labelOf(piece), piece).first;
+			if (size[at->second] < num) at->second = piece;
 		}
 		std::vector<char> isGiven(pieceOf_.size(), 0);
-		for (int piece : pieces)
+		for (const auto& [piece, num] : size)
 			isGiven[piece] = largest[labelOf(piece)] != piece;
 		return giveAway(isGiven, [](int) { return true; });
 	}
