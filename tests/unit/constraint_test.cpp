@@ -77,7 +77,7 @@ TEST(WalkBy, StaysOnTheSurfaceAndTakesTheNormalAlong)
 		ResultVertex& record = on.result.vertex[v];
 		const Vec3f   before = record.normal;
 		const Vec3f step = tangential(Vec3f(0.3f, 0.2f, 0.1f), record.normal) * on.result.idealEdge;
-		EXPECT_EQ(walkBy(on.surface, step, record), WalkEnd::Arrived);
+		EXPECT_TRUE(walkBy(on.surface, step, record));
 		EXPECT_EQ(record.normal, on.surface.mesh.faceNormal(record.point.face));
 		turned += !(record.normal == before);
 		on.m().position[v] = record.point.position;

@@ -377,7 +377,7 @@ int invertedAfterDrawing(float minNormalAgreement, int& before)
 	const int     v    = vertexNear(on, {0.5, 0.5, 0});
 	const Vec3f   over = on.surface.frame.toWorking(Vec3d(0.5 + 1.15 / 8, 0.5 + 0.5 / 8, 0));
 	SurfacePoint& at   = on.result.vertex[v].point;
-	EXPECT_EQ(walk(on.surface.mesh, at, over - at.position), WalkEnd::Arrived);
+	EXPECT_TRUE(walk(on.surface.mesh, at, over - at.position));
 	on.m().position[v]    = at.position;
 	before                = invertedFaceNum(on.surface, on.result, on.workers);
 	Goal goal             = drawnAlong(on, v, {0, 1, 0});

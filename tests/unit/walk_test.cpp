@@ -51,7 +51,7 @@ TEST_P(Walk, OnAPlaneEndsExactlyWhereTheStepSays)
 		SurfacePoint at   = randomPoint(m, random);
 		const Vec3f  from = at.position;
 		const Vec3f  goal(float(random.between(0.05, 0.95)), float(random.between(0.05, 0.95)), 0);
-		ASSERT_EQ(walk(m, at, goal - from), WalkEnd::Arrived);
+		ASSERT_TRUE(walk(m, at, goal - from));
 		ASSERT_LT(length(at.position - goal), 7e-6f) << "some bits for each of 60 faces";
 		ASSERT_LT(distanceToOwnFace(m, at), 2e-6);
 	}
@@ -66,7 +66,7 @@ TEST_P(Walk, TheStepIsTurnedIntoTheFaceAndKeepsItsLength)
 		if (distanceToOwnFace(m, candidate) == 0) at.face = f;
 	}
 	ASSERT_GE(at.face, 0);
-	ASSERT_EQ(walk(m, at, {0.06f, 0, 0.08f}), WalkEnd::Arrived);
+	ASSERT_TRUE(walk(m, at, {0.06f, 0, 0.08f}));
 	EXPECT_NEAR(double(at.position.x), 0.61, 1e-6);
 	EXPECT_NEAR(double(at.position.y), 0.52, 1e-6);
 }
@@ -93,7 +93,7 @@ TEST_P(Walk, OnAPrismIsStraightOnTheUnrolledSide)
 		const Vec3f  n     = m.faceNormal(at.face);
 		const double along = random.between(-3, 3), up = random.between(-2, 2);
 		const Vec3f  tangent = normalized(cross(Vec3f(0, 0, 1), n));
-		ASSERT_EQ(walk(m, at, tangent * float(along) + Vec3f(0, 0, float(up))), WalkEnd::Arrived);
+		ASSERT_TRUE(walk(m, at, tangent * float(along) + Vec3f(0, 0, float(up))));
 		EXPECT_NEAR(double(at.position.z - from.z), up, 1e-5);
 		const double moved = unroll(at.position) - unroll(from) - along;
 		EXPECT_NEAR(std::remainder(moved, around * side), 0, 2e-5);
@@ -109,7 +109,7 @@ TEST_P(Walk, OnASphereFollowsTheGreatCircle)
 		const Vec3d  any  = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
 		const Vec3d  tangent  = normalized(tangential(any, Vec3d(m.faceNormal(at.face))));
 		const double distance = random.between(0.1, 2);
-		ASSERT_EQ(walk(m, at, Vec3f(tangent * distance)), WalkEnd::Arrived);
+		ASSERT_TRUE(walk(m, at, Vec3f(tangent * distance)));
 		const Vec3d goal = normalized(from) * std::cos(distance) + tangent * std::sin(distance);
 		EXPECT_LT(length(normalized(Vec3d(at.position)) - normalized(goal)),
 				  0.01 * distance + 0.002);
@@ -124,8 +124,8 @@ TEST_P(Walk, ThereAndBackEndsWhereItBegan)
 		SurfacePoint at   = randomPoint(m, random);
 		const Vec3f  from = at.position;
 		const Vec3f  step(float(random.between(-0.3, 0.3)), float(random.between(-0.3, 0.3)), 0);
-		if (walk(m, at, step) != WalkEnd::Arrived) continue;
-		ASSERT_EQ(walk(m, at, step * -1.0f), WalkEnd::Arrived);
+		if (!walk(m, at, step)) continue;
+		ASSERT_TRUE(walk(m, at, step * -1.0f));
 		EXPECT_LT(length(at.position - from), 2e-6f);
 	}
 }
@@ -138,7 +138,7 @@ TEST_P(Walk, StopsAtTheBorder)
 		const Vec3d  from = Vec3d(at.position);
 		const double turn = random.between(0, 2 * pi);
 		const Vec3d  d(std::cos(turn), std::sin(turn), 0);
-		ASSERT_EQ(walk(m, at, Vec3f(d * 3.0)), WalkEnd::AtBorder);
+		ASSERT_FALSE(walk(m, at, Vec3f(d * 3.0)));
 		const Vec3d p = Vec3d(at.position);
 		EXPECT_NEAR(std::min({p.x, p.y, 1 - p.x, 1 - p.y}), 0, 1e-6);
 		EXPECT_LT(length(cross(p - from, d)), 1e-5) << "straight until there";
@@ -149,11 +149,10 @@ TEST_P(Walk, NeverLeavesTheSurface)
 {
 	const HalfEdgeMesh m = halfEdgesOf(noisySphere(3, 0.1, random));
 	for (int i = 0; i < 200; ++i) {
-		SurfacePoint  at = randomPoint(m, random);
-		const Vec3f   step(float(random.between(-1, 1)), float(random.between(-1, 1)),
-						   float(random.between(-1, 1)));
-		const WalkEnd end = walk(m, at, step * 3.0f);
-		EXPECT_NE(end, WalkEnd::AtBorder) << "closed";
+		SurfacePoint at = randomPoint(m, random);
+		const Vec3f  step(float(random.between(-1, 1)), float(random.between(-1, 1)),
+						  float(random.between(-1, 1)));
+		walk(m, at, step * 3.0f);
 		ASSERT_LT(distanceToOwnFace(m, at), 1e-4);
 	}
 }
@@ -164,8 +163,8 @@ TEST(WalkAtAll, GoesNowhereByAZeroStep)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(grid(2, 2));
 	SurfacePoint       at = {{0.4f, 0.1f, 0}, 0};
-	EXPECT_EQ(walk(m, at, {0, 0, 0}), WalkEnd::Arrived);
-	EXPECT_EQ(walk(m, at, {0, 0, 5}), WalkEnd::Arrived) << "nothing of it lies in the face";
+	EXPECT_TRUE(walk(m, at, {0, 0, 0}));
+	EXPECT_TRUE(walk(m, at, {0, 0, 5})) << "nothing of it lies in the face";
 	EXPECT_EQ(at.position, Vec3f(0.4f, 0.1f, 0));
 }
 
@@ -178,7 +177,7 @@ TEST(WalkAtAll, StaysInAFaceWithoutArea)
 	const HalfEdgeMesh m = halfEdgesOf(mesh);
 	for (const Vec3f& step : {Vec3f(0.1f, 0.2f, 0.1f), Vec3f(0.2f, -0.1f, 0), Vec3f(3, 2, 1)}) {
 		SurfacePoint at = {{0.5f, 0.5f, 0}, 0};
-		EXPECT_EQ(walk(m, at, step), WalkEnd::AtBorder);
+		EXPECT_FALSE(walk(m, at, step));
 		EXPECT_EQ(at.position, Vec3f(0.5f, 0.5f, 0));
 	}
 }
@@ -202,7 +201,7 @@ TEST(WalkAtAll, EndsByItsBound)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(icosphere(4));
 	SurfacePoint       at = {m.position[m.origin[0]], 0};
-	EXPECT_EQ(walk(m, at, Vec3f(1, 0.3f, 0.2f) * 1000.0f, 50), WalkEnd::Capped);
+	EXPECT_FALSE(walk(m, at, Vec3f(1, 0.3f, 0.2f) * 1000.0f, 50));
 	EXPECT_LT(distanceToOwnFace(m, at), 1e-4);
 }
 

@@ -120,9 +120,8 @@ std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float rea
 		return states;
 	}
 	for (const Vec3f& direction : compassDirections(here.normal)) {
-		ResultVertex  there = here;
-		const WalkEnd end   = walk(surface_.mesh, there.point, direction * reach, maxFacesOfStep);
-		if (end != WalkEnd::Arrived) continue;
+		ResultVertex there = here;
+		if (!walk(surface_.mesh, there.point, direction * reach, maxFacesOfStep)) continue;
 		there.normal = surface_.mesh.faceNormal(there.point.face);
 		states.push_back(movedTo(v, there));
 	}

@@ -45,7 +45,7 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
 	const float reach   = length(half);
 	const float flatLen = length(flat);
 	if (!(flatLen > 0)) return false;
-	if (walkBy(surface, flat * (reach / flatLen), middle) != WalkEnd::Arrived) return false;
+	if (!walkBy(surface, flat * (reach / flatLen), middle)) return false;
 	return length(middle.point.position - m.position[a]) > 0.5f * reach &&
 		   length(middle.point.position - m.position[b]) > 0.5f * reach;
 }

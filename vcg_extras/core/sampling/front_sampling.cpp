@@ -552,7 +552,7 @@ private:
 	bool walkFrom(const Sample& a, const Vec3f& step, int maxCrossings, SurfacePoint& place) const
 	{
 		place = a.point;
-		return walk(m_, place, step, maxCrossings) == WalkEnd::Arrived;
+		return walk(m_, place, step, maxCrossings);
 	}
 };
 

@@ -126,15 +126,15 @@ struct StartFace {
 };
 
 /// A walk of the length `wanted` along the unit vector u in the first face, with the given unit
-/// normal. The way needs no other normals, and one root per face: see Unfolded.
-WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& start,
-				  const Vec3f& normal, const Vec3f& u, float wanted, int maxCrossings)
+/// normal. The way needs no other normals, and one root per face: see Unfolded. As walk().
+bool walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& start, const Vec3f& normal,
+			   const Vec3f& u, float wanted, int maxCrossings)
 {
 	Exit  exit = exitOfFirstFace(m, at, u, cross(normal, u));
 	float x    = exit.x();
 	if (x >= wanted) {
 		at.position = start.putBack(at.position + u * wanted, normal);
-		return WalkEnd::Arrived;
+		return true;
 	}
 
 	Unfolded face;
@@ -143,7 +143,7 @@ WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& star
 		const int beyond = m.opposite[exit.halfEdge];
 		if (beyond < 0 || !face.set(m, exit, beyond)) {
 			at = {exit.place(), exit.halfEdge / 3};
-			return WalkEnd::AtBorder;
+			return false;
 		}
 		// `beyond` runs from the left end to the right end, the next edge from there to the apex.
 		const Exit  next    = face.apex.flat.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
@@ -151,45 +151,45 @@ WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& star
 		const float reached = next.x();
 		if (reached >= wanted) {
 			at = {face.placeOf(exit, wanted), beyond / 3};
-			return WalkEnd::Arrived;
+			return true;
 		}
 		idle = reached > x + 1e-6f * wanted ? 0 : idle + 1;
 		x    = reached;
 		exit = next;
 	}
 	at = {exit.place(), exit.halfEdge / 3};
-	return WalkEnd::Capped;
+	return false;
 }
 
 } // namespace
 
-WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int maxCrossings)
+bool walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int maxCrossings)
 {
 	const float wanted = length(step);
-	if (!(wanted > 0)) return WalkEnd::Arrived;
+	if (!(wanted > 0)) return true;
 	const StartFace start(m, at.face);
-	if (!start.hasArea()) return WalkEnd::AtBorder;
+	if (!start.hasArea()) return false;
 	const Vec3f normal = normalized(start.cross);
 	const Vec3f ahead  = tangential(step, normal);
 	const float flat   = length(ahead);
-	if (!(flat > 0)) return WalkEnd::Arrived;
+	if (!(flat > 0)) return true;
 	return walkAlong(m, at, start, normal, ahead * (1 / flat), wanted, maxCrossings);
 }
 
 /// Saves most of the roots and divisions of a walk, which a normal of the first face would take: a
 /// record knows its normal, and keeps the normal if the face stays.
-WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
+bool walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 {
 	const HalfEdgeMesh& m      = surface.mesh;
 	const float         wanted = length(step);
-	if (!(wanted > 0)) return WalkEnd::Arrived;
+	if (!(wanted > 0)) return true;
 	const int       face = vertex.point.face;
 	const StartFace start(m, face);
-	if (!start.hasArea()) return WalkEnd::AtBorder;
-	const WalkEnd end = walkAlong(m, vertex.point, start, vertex.normal, step * (1 / wanted),
-								  wanted, maxFacesCrossed);
+	if (!start.hasArea()) return false;
+	const bool hasArrived = walkAlong(m, vertex.point, start, vertex.normal, step * (1 / wanted),
+									  wanted, maxFacesCrossed);
 	if (vertex.point.face != face) vertex.normal = m.faceNormal(vertex.point.face);
-	return end;
+	return hasArrived;
 }
 
 void followOnSurface(const Surface& surface, int v, ResultMesh& r)

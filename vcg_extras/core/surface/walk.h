@@ -11,24 +11,18 @@
 
 namespace gpr {
 
-/// The end of a walk.
-enum class WalkEnd {
-	Arrived,
-	AtBorder, ///< stopped at the border, before or in a degenerate face
-	Capped,   ///< crossed more faces than any sensible walk
-};
-
 /// Most faces to cross in a walk if the caller knows no better bound.
 constexpr int maxFacesCrossed = 20000;
 
 /// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of the face
 /// and kept at its length, with unfolding across every edge on the way. The point stays on the
-/// surface: no projection, and no other sheet. Cost: the faces crossed.
-WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
-			 int maxCrossings = maxFacesCrossed);
+/// surface: no projection, and no other sheet. False if the walk ends early: at the border, before
+/// or in a degenerate face, or after maxCrossings. Cost: the faces crossed.
+bool walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
+		  int maxCrossings = maxFacesCrossed);
 
 /// Moves the record of a vertex by a walk. The step must be perpendicular to the record's normal.
-WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
+bool walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
 /// Moves the record of vertex v below the vertex, after a move of the vertex off the surface: by a
 /// walk, or to the nearest point of the same sheet if the walk ends farther from the vertex.
