@@ -69,13 +69,6 @@ double worstDeviation(const Curve& c, float from, float to, const std::vector<fl
 	return double(std::max(worst, deviation(c, last, to)));
 }
 
-CurveSpacing spacingOf(float chord)
-{
-	CurveSpacing spacing;
-	spacing.chord = chord;
-	return spacing;
-}
-
 TEST(Curve, FindsPlacesByArcLength)
 {
 	// A square of side 1 by its corners.
@@ -111,7 +104,7 @@ TEST(SpaceOut, IsEvenOnACircleForAnyChord)
 {
 	const Curve c = closedCurve(2000, circle);
 	for (float chord : {0.02f, 0.1f, 0.33f, 0.7f}) {
-		const std::vector<float>  arcs  = spaceOut(c, 0, c.length, spacingOf(chord), 3);
+		const std::vector<float>  arcs  = spaceOut(c, 0, c.length, chord, 3);
 		const std::vector<double> steps = chords(c, 0, c.length, arcs);
 		EXPECT_LT(variation(steps), 0.01) << "chord " << chord;
 		EXPECT_NEAR(double(steps.size()), 2 * pi / double(chord), 1.1);
@@ -125,7 +118,7 @@ TEST(SpaceOut, StartsAnywhereAndRunsOverTheEnd)
 {
 	const Curve c = closedCurve(500, circle);
 	for (float from : {0.5f, 3.0f, 6.2f}) {
-		const std::vector<float> arcs = spaceOut(c, from, from + 2, spacingOf(0.2f), 1);
+		const std::vector<float> arcs = spaceOut(c, from, from + 2, 0.2f, 1);
 		EXPECT_LT(variation(chords(c, from, from + 2, arcs)), 0.01);
 		for (float s : arcs)
 			EXPECT_TRUE(s > from && s < from + 2);
@@ -138,7 +131,7 @@ TEST(SpaceOut, MakesTheStepsAskedFor)
 	for (int steps = 1; steps <= 9; ++steps) {
 		const float wanted =
 			1.5f * 0.5f / float(steps); // fewer steps than asked for would fit better
-		EXPECT_EQ(int(spaceOut(c, 1, 1.5f, spacingOf(wanted), steps).size()), steps - 1);
+		EXPECT_EQ(int(spaceOut(c, 1, 1.5f, wanted, steps).size()), steps - 1);
 	}
 }
 
@@ -151,7 +144,7 @@ TEST(SpaceOut, StaysWithinTheToleranceOfAFineZigzag)
         const double tooth = int(std::lround(t * 600)) % 2 == 0 ? 1.0025 : 0.9975;
         return circle(t) * tooth;
     });
-	const std::vector<float> arcs  = spaceOut(c, 0, c.length, spacingOf(chord), 3);
+	const std::vector<float> arcs  = spaceOut(c, 0, c.length, chord, 3);
 	EXPECT_LE(worstDeviation(c, 0, c.length, arcs), 0.0801 * double(chord));
 	EXPECT_LT(variation(chords(c, 0, c.length, arcs)), 0.05);
 }
@@ -164,7 +157,7 @@ TEST(SpaceOut, FollowsTeethThatEvenSpacingWouldCutOff)
         const double tooth = std::abs(std::remainder(t * 14, 1.0)); // 0 to 0.5, fourteen teeth
         return circle(t) * (1 + 0.5 * tooth);
     });
-	const std::vector<float> arcs  = spaceOut(c, 0, c.length, spacingOf(chord), 3);
+	const std::vector<float> arcs  = spaceOut(c, 0, c.length, chord, 3);
 	EXPECT_LE(worstDeviation(c, 0, c.length, arcs), 0.12 * double(chord));
 	for (double d : chords(c, 0, c.length, arcs)) {
 		EXPECT_GE(d, 0.45 * double(chord));
@@ -181,7 +174,7 @@ TEST_P(RaggedCurve, IsNotDriftedFromAndGetsNoWildSteps)
 		return circle(t) * (1 + random.between(-0.004, 0.004) + 0.05 * std::sin(2 * pi * 9 * t));
 	});
 	for (float chord : {0.05f, 0.12f}) {
-		const std::vector<float> arcs = spaceOut(c, 0, c.length, spacingOf(chord), 3);
+		const std::vector<float> arcs = spaceOut(c, 0, c.length, chord, 3);
 		EXPECT_LE(worstDeviation(c, 0, c.length, arcs), 0.25 * double(chord)) << chord;
 		EXPECT_LT(variation(chords(c, 0, c.length, arcs)), 0.3) << chord;
 	}
@@ -197,9 +190,7 @@ TEST(SpaceOut, GoesByTheLocalSizeOnDenseCurves)
 	Curve c = closedCurve(n, [](double t) { return circle(t) * (1 + 2e-3 * std::sin(2e4 * t)); });
 	for (int i = 0; i < n; ++i)
 		c.size.push_back(i < n / 2 ? 1.0f : 0.01f);
-	CurveSpacing spacing;
-	spacing.chord                 = 0.3f;
-	const std::vector<float> arcs = spaceOut(c, 0, c.length, spacing, 3);
+	const std::vector<float> arcs = spaceOut(c, 0, c.length, 0.3f, 3);
 	ASSERT_TRUE(std::is_sorted(arcs.begin(), arcs.end()));
 	// Arcs are longer than the circle's by the zigzag, chords are not.
 	EXPECT_GT(arcs.size(), 400u);

@@ -218,9 +218,9 @@ public:
 				 const std::vector<int>& kept, BoundaryMode border, BoundaryCurves& out,
 				 Workers& workers) :
 			m_(mesh),
-			out_(out), workers_(workers), border_(border), diskRadius_(diskRadius)
+			out_(out), workers_(workers), border_(border), diskRadius_(diskRadius),
+			wantedChord_(spacing)
 	{
-		wanted_.chord = spacing;
 		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
 		for (int v : kept)
 			isKept_[v] = 1;
@@ -247,7 +247,7 @@ public:
 			for (int i = 0; i < c.pointNum(); ++i)
 				isFixed.push_back(isStop(c.vertex[i]) ||
 								  (keepsShared && before.isOnShared(index, i)));
-			smoothLoop(wanted_.chord, isFixed, c);
+			smoothLoop(wantedChord_, isFixed, c);
 		}
 	}
 
@@ -292,7 +292,7 @@ private:
 	Workers&                       workers_;
 	BoundaryMode                   border_;
 	float                          diskRadius_;
-	CurveSpacing                   wanted_;
+	float                          wantedChord_;
 	int                            index_       = 0;
 	std::size_t                    firstSample_ = 0; ///< of the curve at hand
 	std::vector<SpacedStops>       spaced_;          ///< per curve; empty if sampled in another way
@@ -305,7 +305,7 @@ private:
 	/// Whether the curve is too short for three samples.
 	bool isTooShort(const Curve& c) const
 	{
-		return c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize();
+		return c.pointNum() <= 3 || c.length < 1.8f * wantedChord_ * c.smallestSize();
 	}
 	bool           isOfBorder(const Curve& c) const { return m_.isBorderEdge(c.halfEdge[0]); }
 	std::ptrdiff_t keptOn(const Curve& c) const
@@ -380,7 +380,7 @@ private:
 		for (std::size_t i = 0; i < spaced.stop.size(); ++i) {
 			workers_.pollFrom(worker);
 			const float to = i + 1 < spaced.stop.size() ? spaced.stop[i + 1] : end;
-			spaced.between.push_back(spaceOut(c, spaced.stop[i], to, wanted_, minSteps));
+			spaced.between.push_back(spaceOut(c, spaced.stop[i], to, wantedChord_, minSteps));
 		}
 	}
 
@@ -531,7 +531,7 @@ private:
 			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
 			out_.samples.back().point.position = c.point[from];
 			if (!shared_->isShared(index_, from))
-				putAll(c, spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1));
+				putAll(c, spaceOut(c, c.arcOf(from), c.arcOf(to), wantedChord_, 1));
 			else if (shared_->isSampled(index_, from))
 				takeShared(c, from, to);
 			else
@@ -542,7 +542,7 @@ private:
 	/// Samples the points from `from` to `to` for all curves that share this stretch.
 	void sampleShared(const Curve& c, int from, int to)
 	{
-		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1)) {
+		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wantedChord_, 1)) {
 			const int   segment = c.segmentAt(s);
 			const float extent  = c.lengthOf(segment);
 			put(c, s, true);

@@ -61,8 +61,6 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 
 /// Arcs between neighbours on a curve, in wanted edges.
 constexpr float minSpacing = 0.7f, maxSpacing = 1.3f;
-/// The largest distance of a curve from its chords, in ideal edges; see CurveSpacing.
-constexpr float tolerance = 0.08f;
 
 /// Largest distance of the curve of v from a polygon: from the last neighbour through vertices at
 /// the given arcs to the next neighbour.
@@ -80,13 +78,14 @@ float deviationBy(const BoundaryCurves& curves, const ResultVertex& v, const Sli
 	return std::max(worst, deviation(c, from + lap, v.arc + room.forward + lap));
 }
 
-/// The largest allowed distance of the curve from new chords: the tolerance of spacing, or the
+/// The largest allowed distance of the curve from new chords: the curveTolerance of spacing, or the
 /// distance from the chords of now.
 float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
 					   const ResultVertex& v, const SlideRoom& room)
 {
 	const float size = curves.curves[v.curve].sizeAt(v.arc);
-	return std::max(deviationBy(curves, v, room, {v.arc}), tolerance * result.idealEdge * size);
+	return std::max(deviationBy(curves, v, room, {v.arc}),
+					curveTolerance * result.idealEdge * size);
 }
 
 /// Normal of the working surface beside the curve at arc s, on the left of the direction of growing

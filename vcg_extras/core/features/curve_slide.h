@@ -32,7 +32,7 @@ Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
 					 const SlideRoom& room);
 
 /// Whether a slide of v by the arc length `step` (below 0: backward) keeps both chords at v within
-/// the tolerance of CurveSpacing from the curve, or no farther than now.
+/// curveTolerance from the curve, or no farther than now.
 bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 

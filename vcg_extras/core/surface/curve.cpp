@@ -134,25 +134,21 @@ std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 	std::vector<float> arcs = spreadArcs(c, a, b, d);
 	// Points at bends of the curve belong to the best polygon; dense points add nothing.
 	float last = a;
-	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
-		const float s = c.arcOf(i);
-		if (s > a && s - last > 0.05f * d * c.sizeAt(s)) {
-			arcs.push_back(s);
-			last = s;
-		}
-		if (i >= 2 * c.pointNum() - 1) break;
-	}
+	forEachPointBetween(c, a, b, [&](const Vec3f&, float s) {
+		if (!(s - last > 0.05f * d * c.sizeAt(s))) return;
+		arcs.push_back(s);
+		last = s;
+	});
 	sortUnique(arcs);
 	return arcs;
 }
 
 /// The chain of chords of least cost from the first to the last candidate.
-std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
+std::vector<float> cheapestSpacing(const Curve& c, float a, float b, float d)
 {
 	constexpr float shortest = 0.3f, longest = 1.5f; // of the wanted chord
 	// An excess of a sixth costs as much as a chord two thirds too short.
 	constexpr double excessWeight = 16;
-	const float      d            = spacing.chord;
 
 	const std::vector<float> arcs = candidateArcs(c, a, b, d);
 	const int                n    = int(arcs.size());
@@ -180,7 +176,7 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 			if (!(cost[k] + byLength < cost[i])) continue;
 			const float away = deviationBetween(c, arcs[k], arcs[i], p.position, q.position) /
 							   (0.5f * (p.size + q.size));
-			const float  excess = away / (spacing.tolerance * d) - 1;
+			const float  excess = away / (curveTolerance * d) - 1;
 			const double total =
 				cost[k] + (byLength + (excess > 0 ? excessWeight * double(excess) * excess : 0.0));
 			if (total < cost[i]) {
@@ -236,14 +232,12 @@ float deviation(const Curve& c, float a, float b)
 	return deviationBetween(c, a, b, c.at(a), c.at(b));
 }
 
-std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
-							int minSteps)
+std::vector<float> spaceOut(const Curve& curve, float from, float to, float d, int minSteps)
 {
-	const float d     = spacing.chord;
-	const int   steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
+	const int steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
 	std::vector<float> even = evenSpacing(curve, from, to, d, steps);
-	if (worstDeviation(curve, from, to, even) <= spacing.tolerance * d) return even;
-	std::vector<float> fitted = cheapestSpacing(curve, from, to, spacing);
+	if (worstDeviation(curve, from, to, even) <= curveTolerance * d) return even;
+	std::vector<float> fitted = cheapestSpacing(curve, from, to, d);
 	return int(fitted.size()) + 1 >= minSteps ? fitted : even;
 }
 

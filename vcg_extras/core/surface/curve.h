@@ -42,21 +42,17 @@ struct Curve {
 	float lengthOf(int i) const { return arcOf(i + 1) - arc[i]; }
 };
 
-/// Wanted spacing of samples on a piece of a curve, by chords.
-struct CurveSpacing {
-	float chord     = 0;     ///< wanted straight distance of neighbours for size 1
-	float tolerance = 0.08f; ///< largest distance of the curve from the polygon of the samples, as
-							 ///< a share of the chord
-};
+/// Largest distance of a curve from the polygon of its samples, as a share of the wanted chord.
+constexpr float curveTolerance = 0.08f;
 
-/// Arc lengths of samples strictly between `from` and `to` (to may run past the curve's end). The
-/// samples lie evenly by chords if the curve then stays within the tolerance of the polygon.
+/// Arc lengths of samples strictly between `from` and `to` (to may run past the curve's end).
+/// chord: the wanted straight distance of neighbours for size 1. The samples lie evenly by chords
+/// if the curve then stays within curveTolerance of the polygon.
 /// Otherwise dynamic programming over candidates a tenth of the chord apart finds the samples of
 /// least cost: the squared deviation of each chord from its wanted length, plus sixteen times the
 /// squared excess over the tolerance. At least minSteps steps are made. Cost: linear in length, ×
 /// candidates per chord².
-std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
-							int minSteps);
+std::vector<float> spaceOut(const Curve& curve, float from, float to, float chord, int minSteps);
 
 /// Calls visit(point, arc) for the curve's points strictly between arcs a and b. Both arcs may run
 /// past the end of a closed curve; the visited arcs then do so too.
