@@ -100,8 +100,7 @@ public:
 		flood_.askBy(Poller(workers, worker));
 	}
 
-	std::int64_t fillNum() const { return fillNum_; }
-	bool         capped() const { return capped_; }
+	bool capped() const { return capped_; }
 
 	/// Floods from a sample on a curve, which has its place already.
 	void floodGiven(int s)
@@ -155,7 +154,6 @@ private:
 	int              scanned_   = 0; ///< vertices of the block seen by the scan
 	int              scanStart_ = 0;
 	std::uint32_t    random_    = 1; ///< of the block, from the seed
-	std::int64_t     fillNum_   = 0;
 	bool             capped_    = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
@@ -260,10 +258,8 @@ private:
 			if (!isTakenByNewcomer(c) && findIntersection(c, place) && !isTaken(place)) return true;
 		}
 		while (nextBorderEdge_ < borderEdges_.size()) {
-			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
-			if (isTaken(place)) continue;
-			++fillNum_;
-			return true;
+			const int h = borderEdges_[nextBorderEdge_++];
+			if (placeOnBorderEdge(h, place) && !isTaken(place)) return true;
 		}
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
@@ -279,7 +275,6 @@ private:
 			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0 || !isOpen(v)) continue;
 			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
 			++scanned_;
-			++fillNum_;
 			return true;
 		}
 		return false;
@@ -722,10 +717,8 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	floodGiven(boundary, surface, radius, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
 	sampleBlocks(partition, false, workers, samplers);
-	for (const BlockSampler& s : samplers) {
-		result.fillNum += s.fillNum();
+	for (const BlockSampler& s : samplers)
 		result.capped = result.capped || s.capped();
-	}
 	result.nearest.swap(shared.field.nearest);
 	compact(shared, workers, result);
 	labelBorder(boundary, result);

@@ -21,9 +21,8 @@ struct Sampling {
 	float                         radius = 0;
 	std::vector<Sample>           samples; ///< samples of the border first, in the same order
 	int                           boundarySampleNum = 0;
-	Buffer<NearestField::Nearest> nearest; ///< per surface vertex: its sample and distance
-	std::int64_t fillNum = 0;     ///< samples placed by border edge or scan, not by intersection
-	bool         capped  = false; ///< a block had no room left
+	Buffer<NearestField::Nearest> nearest;        ///< per surface vertex: its sample and distance
+	bool                          capped = false; ///< a block had no room left
 };
 
 /// Stage::Sampling: front sampling (paper §3, steps 2–8) with disk-intersection placement.
