@@ -174,7 +174,7 @@ MUTANTS = [
     ("sizes at a kept border", "sampling/sizing.cpp",
      "matched[v]         = std::min(size[v], std::max(smallestSize, wanted));", ""),
     ("front: uncovered vertices", "sampling/front_sampling.cpp",
-     "if (isUncovered) cover(place.point, tooNear);", ""),
+     "if (isUncovered) cover(sample.point, tooNear);", ""),
     ("front: other side of a sheet", "sampling/front_sampling.h",
      "if (!sameSideOnly || dot(made.normal, samples[t].normal) >= sameSideCosine) return t;",
      "return t;"),

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "front_sampling.h"
 
-#include "front_fans.h"
-
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/surface/surface_point.h>
@@ -20,12 +18,6 @@ namespace {
 constexpr float widestPair  = 1.98f;
 constexpr float closestPair = 0.3f;
 
-/// A place for a sample, and the size of its disk over the largest one.
-struct Place {
-	SurfacePoint point;
-	float        size = 1;
-};
-
 /// An intersection of the disks of two samples, in the plane of the first, with its fit. The fit is
 /// smaller the closer a third disk touches the intersection, and the nearer the distance of the
 /// pair is to r. Its place on the surface is found only when its turn comes: more than half of all
@@ -37,6 +29,14 @@ struct Candidate {
 	Vec3f guess;
 	float size; ///< assumed there
 	float fit;
+};
+
+/// The samples near a sample when its intersections were searched, and the samples placed near it
+/// since. So an intersection can be rejected as taken without a look at the surface.
+struct Fan {
+	std::vector<int> samples; ///< the near samples, then those placed since
+	std::size_t      nearNum;
+	int              maxCrossings; ///< the most faces of a walk to an intersection
 };
 
 /// Two neighbouring samples, and the plane of the first.
@@ -123,8 +123,8 @@ public:
 		scanned_        = 0;
 		scanStart_      = int(random_ % std::uint32_t(block.end - block.begin));
 		takeUpNeighbours();
-		Place place;
-		bool  isUncovered = false;
+		Sample place;
+		bool   isUncovered = false;
 		while (findPlace(place, isUncovered)) {
 			workers_.pollFrom(worker_);
 			if (!improvesAVertex(place)) continue;
@@ -150,7 +150,9 @@ private:
 	std::vector<Candidate> heap_;
 	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
 	std::size_t      nextBorderEdge_ = 0;
-	FrontFans        fans_;
+	std::vector<int> earlier_;      ///< samples that reach into the block from elsewhere, ascending
+	int              firstNew_ = 0; ///< the first sample after these
+	std::vector<Fan> fans_; ///< of the earlier samples, then of the new samples of the block
 	int              scanned_   = 0; ///< vertices of the block seen by the scan
 	int              scanStart_ = 0;
 	std::uint32_t    random_    = 1; ///< of the block, from the seed
@@ -184,9 +186,10 @@ private:
 		return isOpen(v[0]) && isOpen(v[1]) && isOpen(v[2]);
 	}
 
-	Place placeAt(const SurfacePoint& point) const
+	/// A sample without its normal, as are all samples up to tryToPlace.
+	Sample placeAt(const SurfacePoint& point) const
 	{
-		return {point, sizeAt(shared_.surface, point)};
+		return {point, {}, sizeAt(shared_.surface, point)};
 	}
 
 	/// A face belongs to the block that holds its smallest vertex, its first corner.
@@ -200,13 +203,14 @@ private:
 	/// the block begins at their intersections and border edges.
 	void takeUpNeighbours()
 	{
-		std::vector<int> foreign;
+		earlier_.clear();
 		for (int v = block_->begin; v < block_->end; ++v) {
 			const int s = sampleOf(v);
-			if (s >= 0) foreign.push_back(s);
+			if (s >= 0) earlier_.push_back(s);
 		}
-		sortUnique(foreign);
-		fans_.clear(std::move(foreign), range_->firstSample + range_->used);
+		sortUnique(earlier_);
+		firstNew_ = range_->firstSample + range_->used;
+		fans_.clear();
 		addForeignIntersections();
 		for (int v = block_->begin; v < block_->end; ++v) {
 			if (sampleOf(v) >= 0) addBorderEdges(v);
@@ -219,18 +223,17 @@ private:
 	void addForeignIntersections()
 	{
 		// A disk meets about six disks; ten times six is a dust of components.
-		constexpr std::size_t   maxSamples = 4096, maxNear = 64;
-		const std::vector<int>& foreign    = fans_.earlier();
-		const bool              areTooMany = foreign.size() > maxSamples;
-		std::vector<int>        near;
-		for (int s : foreign) {
+		constexpr std::size_t maxSamples = 4096, maxNear = 64;
+		const bool            areTooMany = earlier_.size() > maxSamples;
+		std::vector<int>      near;
+		for (int s : earlier_) {
 			workers_.pollFrom(worker_);
 			near.clear();
-			for (int t : foreign) {
+			for (int t : earlier_) {
 				if (areTooMany) break;
 				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
 			}
-			fans_.add(near, maxFacesCrossed);
+			fans_.push_back({near, near.size(), maxFacesCrossed});
 			if (near.size() > maxNear) continue;
 			for (int t : near) {
 				if (t > s) addIntersections(s, t);
@@ -248,7 +251,7 @@ private:
 
 	/// Finds the next place for a sample: the best intersection, else a border edge, else an
 	/// uncovered vertex.
-	bool findPlace(Place& place, bool& isUncovered)
+	bool findPlace(Sample& place, bool& isUncovered)
 	{
 		isUncovered = false;
 		while (!heap_.empty()) {
@@ -267,7 +270,7 @@ private:
 		return findUncoveredVertex(place);
 	}
 
-	bool findUncoveredVertex(Place& place)
+	bool findUncoveredVertex(Sample& place)
 	{
 		const int n = block_->end - block_->begin;
 		for (; scanned_ < n; ++scanned_) {
@@ -282,7 +285,7 @@ private:
 
 	/// Eq. (3): the point of a border edge (eq. (2)) at which the disk of the inner end's sample
 	/// ends.
-	bool placeOnBorderEdge(int h, Place& place) const
+	bool placeOnBorderEdge(int h, Sample& place) const
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		if (!(distanceOf(a) <= r_ && distanceOf(b) > r_) || !isMine(h / 3)) return false;
@@ -302,7 +305,7 @@ private:
 	/// Whether a sample that owns a vertex near the place is too close by now. With many vertices a
 	/// cell, the corners of the face are enough: the flood has met every sample too close further
 	/// out. Among large faces two rings are checked.
-	bool isTaken(const Place& place) const
+	bool isTaken(const Sample& place) const
 	{
 		const Vec3f p    = place.point.position;
 		const int   face = place.point.face;
@@ -313,7 +316,7 @@ private:
 		return isCoarse(face, place.size) && isTakenFarther(place);
 	}
 
-	bool isTakenFarther(const Place& place) const
+	bool isTakenFarther(const Sample& place) const
 	{
 		bool       taken = false;
 		const auto look  = [&](int w) {
@@ -341,7 +344,7 @@ private:
 
 	/// Whether the place is nearer to some vertex than the sample of the vertex. A sample without
 	/// vertices could be inserted again and again.
-	bool improvesAVertex(const Place& place) const
+	bool improvesAVertex(const Sample& place) const
 	{
 		for (int k = 0; k < 3; ++k) {
 			const int   v        = m_.origin[3 * place.point.face + k];
@@ -354,14 +357,14 @@ private:
 	/// Places a sample unless its disk meets a sample too near. If no disk covered the vertex, the
 	/// front had overrated the way to it, across folds or among needles: the vertex then belongs to
 	/// the sample met.
-	void tryToPlace(const Place& place, bool isUncovered)
+	void tryToPlace(Sample sample, bool isUncovered)
 	{
-		const Sample sample{place.point, m_.faceNormal(place.point.face), place.size};
+		sample.normal = m_.faceNormal(sample.point.face);
 		flood_.explore(sample);
 		const int tooNear =
 			findTooNear(flood_.metSamples(), shared_.samples, sample, nearLimit_, isUncovered);
 		if (tooNear >= 0) {
-			if (isUncovered) cover(place.point, tooNear);
+			if (isUncovered) cover(sample.point, tooNear);
 			return;
 		}
 		const int s        = range_->firstSample + range_->used++;
@@ -386,11 +389,13 @@ private:
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
 		// cross thousands; then border edges serve better.
 		const std::vector<int>& met = flood_.metSamples();
-		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.reached().size()))));
+		const int maxCrossings      = 32 + 8 * int(std::sqrt(double(flood_.reached().size())));
+		fans_.push_back({met, met.size(), maxCrossings});
 		for (int t : met) {
 			if (t == s) continue;
 			addIntersections(s, t);
-			fans_.tellNewcomer(t, s);
+			const int fan = fanOf(t);
+			if (fan >= 0) fans_[fan].samples.push_back(s);
 		}
 		// Border edges are only needed when the front has no intersections.
 		if (heap_.empty()) {
@@ -398,6 +403,14 @@ private:
 				if (sampleOf(v.vertex) == s) addBorderEdges(v.vertex);
 			}
 		}
+	}
+
+	/// The fan of a sample; -1: none.
+	int fanOf(int sample) const
+	{
+		const int own = int(earlier_.size()) + sample - firstNew_;
+		if (sample >= firstNew_ && own < int(fans_.size())) return own;
+		return placeIn(earlier_, sample);
 	}
 
 	/// Adds the two points at the wanted distance from both samples, if the samples near s leave
@@ -440,24 +453,26 @@ private:
 		// square lattice, which is as saturated but not wanted. Both terms are divided by the local
 		// size, or dense places would always come first.
 		const float fit = (third + misfit) / apex.size + smallChance();
-		heap_.push_back({pair.a, pair.b, fans_.last(), side, guess, apex.size, fit});
+		heap_.push_back({pair.a, pair.b, int(fans_.size()) - 1, side, guess, apex.size, fit});
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 	}
 
 	/// Whether a sample placed since the intersection was found is near, in the plane.
 	bool isTakenByNewcomer(const Candidate& c) const
 	{
-		return fans_.anyNewcomer(c.fan,
-								 [&](int s) { return isNearer(c.guess, c.size, s, roughLimit()); });
+		const Fan& fan = fans_[c.fan];
+		const auto end = fan.samples.rend() - std::ptrdiff_t(fan.nearNum);
+		return std::any_of(fan.samples.rbegin(), end,
+						   [&](int s) { return isNearer(c.guess, c.size, s, roughLimit()); });
 	}
 
 	/// Finds the place of the intersection on the surface; false if it lies in another block or is
 	/// not free.
-	bool findIntersection(const Candidate& c, Place& place) const
+	bool findIntersection(const Candidate& c, Sample& place) const
 	{
 		Pair pair;
 		makePair(c.a, c.b, pair);
-		const int  maxCrossings = fans_.maxCrossings(c.fan);
+		const int  maxCrossings = fans_[c.fan].maxCrossings;
 		const Apex apex         = apexOf(pair, c.size);
 		if (!walkToIntersection(pair, c.side, apex, maxCrossings, place.point)) return false;
 		place.size = sizeAt(shared_.surface, place.point);
@@ -467,7 +482,7 @@ private:
 			place.size = sizeAt(shared_.surface, place.point);
 		}
 		const int face = place.point.face;
-		return isMine(face) && isOpenFace(face) && isFree(place, pair, c.fan);
+		return isMine(face) && isOpenFace(face) && isFree(place, pair, fans_[c.fan]);
 	}
 
 	/// The triangle of a pair and a neighbouring place of given size, by the law of cosines.
@@ -502,24 +517,23 @@ private:
 	{
 		const float limit   = roughLimit() * roughLimit();
 		float       nearest = HUGE_VALF;
-		const bool  isTaken = fans_.anyNear(fans_.last(), [&](int other) {
-            if (other == pair.a || other == pair.b) return false;
-            const float relative = 2 * size / (size + sizeOf(other));
-            nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
-            return nearest < limit * (size * size);
-        });
-		if (isTaken) return false;
+		for (int other : fans_.back().samples) {
+			if (other == pair.a || other == pair.b) continue;
+			const float relative = 2 * size / (size + sizeOf(other));
+			nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
+			if (nearest < limit * (size * size)) return false;
+		}
 		third = std::sqrt(nearest);
 		return true;
 	}
 
-	bool isFree(const Place& place, const Pair& pair, int fan) const
+	bool isFree(const Sample& place, const Pair& pair, const Fan& fan) const
 	{
 		const auto isInTheWay = [&](int other) {
 			return other != pair.a && isTooNear(place.point.position, place.size, other);
 		};
-		return !isInTheWay(pair.b) && !fans_.anyNear(fan, isInTheWay) &&
-			   !fans_.anyNewcomer(fan, isInTheWay);
+		return !isInTheWay(pair.b) &&
+			   std::none_of(fan.samples.begin(), fan.samples.end(), isInTheWay);
 	}
 
 	/// Walks from a at the angle from the plane. If a bend of the surface leaves the other sample
