@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Even points, and distances measured at even points, against closed forms.
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/surface/even_points.h>
 #include <vcg_extras/core/surface/surface_distance.h>
+#include <vcg_extras/core/surface/triangle_tree.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -132,11 +132,12 @@ inline S cross(const Vec2<S>& a, const Vec2<S>& b)
 }
 
 /// Share of the way from a to b of the point nearest to p; 0 if a and b coincide.
-inline float shareOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+template <class S>
+inline S shareOnSegment(const Vec3<S>& p, const Vec3<S>& a, const Vec3<S>& b)
 {
-	const Vec3f ab      = b - a;
-	const float squared = squaredLength(ab);
-	return squared > 0 ? std::min(1.0f, std::max(0.0f, dot(p - a, ab) / squared)) : 0.0f;
+	const Vec3<S> ab      = b - a;
+	const S       squared = squaredLength(ab);
+	return squared > S(0) ? std::min(S(1), std::max(S(0), dot(p - a, ab) / squared)) : S(0);
 }
 
 } // namespace gpr

@@ -3,7 +3,7 @@
 #include "shown_mesh.h"
 
 #include <vcg_extras/core/base/box.h>
-#include <vcg_extras/core/surface/even_points.h>
+#include <vcg_extras/core/surface/triangle_tree.h>
 
 #include <cmath>
 #include <unordered_map>

@@ -5,7 +5,7 @@
 
 // Conversion between flat arrays and a mesh of vcglib in float, as in MeshLab.
 
-#include <vcg_extras/core/surface/even_points.h>
+#include <vcg_extras/core/surface/triangle_tree.h>
 
 #include <cstdint>
 #include <vcg/complex/complex.h>

@@ -4,6 +4,7 @@
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/surface/triangle_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,18 +99,10 @@ MeshExtent extentOf(const MeshView& mesh)
 	MeshExtent  extent;
 	Box<double> box;
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		Vec3d corner[3];
-		bool  usable = true;
-		for (int k = 0; k < 3 && usable; ++k) {
-			const std::int32_t v = mesh.vertexOf(3 * f + std::size_t(k));
-			usable               = v >= 0 && std::size_t(v) < mesh.vertexNum;
-			if (usable) corner[k] = mesh.position(std::size_t(v));
-			usable = usable && isFinite(corner[k]);
-		}
-		if (!usable) continue;
-		extent.area += 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
-		for (const Vec3d& p : corner)
-			box.add(p);
+		if (!hasPlaces(mesh, f)) continue;
+		extent.area += 0.5 * length(mesh.faceCross(f));
+		for (const std::int32_t v : mesh.triangle(f))
+			box.add(mesh.position(std::size_t(v)));
 	}
 	extent.diagonal = box.diagonal();
 	return extent;

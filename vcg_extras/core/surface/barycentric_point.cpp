@@ -31,13 +31,10 @@ void weightsOnEdge(const Vec3d& p, const Vec3d corner[3], double weight[3])
 			squaredLength(corner[(longest + 1) % 3] - corner[longest]))
 			longest = k;
 	}
-	const Vec3d  edge    = corner[(longest + 1) % 3] - corner[longest];
-	const double squared = squaredLength(edge);
-	const double t       = squared > 0 ? dot(p - corner[longest], edge) / squared : 0;
-	for (int k = 0; k < 3; ++k)
-		weight[k] = 0;
-	weight[(longest + 1) % 3] = std::min(1.0, std::max(0.0, t));
-	weight[longest]           = 1 - weight[(longest + 1) % 3];
+	const int end             = (longest + 1) % 3;
+	weight[end]               = shareOnSegment(p, corner[longest], corner[end]);
+	weight[longest]           = 1 - weight[end];
+	weight[(longest + 2) % 3] = 0;
 }
 
 } // namespace

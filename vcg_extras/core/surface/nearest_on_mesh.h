@@ -6,6 +6,7 @@
 #include "surface_point.h"
 #include "triangle_tree.h"
 
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 namespace gpr {
@@ -14,11 +15,20 @@ namespace gpr {
 class NearestOnMesh {
 public:
 	/// The mesh must stay unchanged. Throws as Workers do. Cost: see TriangleTree.
-	NearestOnMesh(const HalfEdgeMesh& mesh, Workers& workers);
+	NearestOnMesh(const HalfEdgeMesh& mesh, Workers& workers) :
+			m_(mesh), tree_(viewOf(mesh), {}, workers)
+	{
+	}
 
 	/// Nearest point. Of equally near faces the face of lowest index counts. Face -1 if the mesh
 	/// has no face or p is not finite. Cost: O(log F) on well-behaved meshes.
-	SurfacePoint nearest(const Vec3f& p) const;
+	SurfacePoint nearest(const Vec3f& p) const
+	{
+		const int f = tree_.nearestFace(Vec3d(p));
+		if (f < 0) return {};
+		const auto corner = [&](int k) { return m_.position[m_.origin[3 * f + k]]; };
+		return {nearestOnTriangle(p, corner(0), corner(1), corner(2)), f};
+	}
 
 private:
 	const HalfEdgeMesh& m_;

@@ -3,7 +3,6 @@
 #include "surface_distance.h"
 
 #include "distance_histogram.h"
-#include "even_points.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +41,35 @@ std::vector<char> usedVertices(const MeshView& mesh)
 	return used;
 }
 
+/// The running area behind each face of a mesh.
+std::vector<double> runningArea(const MeshView& mesh)
+{
+	std::vector<double> behind(mesh.faceNum);
+	double              area = 0;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		if (isUsableFace(mesh, f)) area += 0.5 * length(mesh.faceCross(f));
+		behind[f] = area;
+	}
+	return behind;
+}
+
+/// Point number j of the R2 sequence (Roberts 2018: the additive recurrence by the plastic number)
+/// in a face; the upper half of the unit square is folded onto the lower.
+Vec3d pointInFace(const MeshView& mesh, std::size_t face, std::size_t j)
+{
+	constexpr double stepU = 0.7548776662466927, stepV = 0.5698402909980532;
+	const auto       t = mesh.triangle(face);
+	double           u = stepU * double(j), v = stepV * double(j);
+	u -= std::floor(u);
+	v -= std::floor(v);
+	if (u + v > 1) {
+		u = 1 - u;
+		v = 1 - v;
+	}
+	const Vec3d a = mesh.position(t[0]);
+	return a + (mesh.position(t[1]) - a) * u + (mesh.position(t[2]) - a) * v;
+}
+
 /// Seven points of a face: its corners, the middles of its edges, its own middle.
 std::array<Vec3d, 7> sevenPoints(const MeshView& mesh, std::size_t face)
 {
@@ -74,7 +102,7 @@ public:
 
 	double distance(const Vec3d& p)
 	{
-		const TriangleTree::Nearest nearest = to_.tree_->nearest(p - to_.origin_, last_);
+		const TriangleTree::Nearest nearest = to_.tree_.nearest(p - to_.origin_, last_);
 		last_                               = nearest.triangle;
 		return std::sqrt(nearest.squared);
 	}
@@ -105,14 +133,14 @@ private:
 };
 
 MeasuredSurface::MeasuredSurface(const MeshView& mesh, Workers& workers) :
-		origin_(someCorner(mesh)), tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
+		origin_(someCorner(mesh)), tree_(mesh, origin_, workers)
 {
 }
 
 MeasuredSurface::MeasuredSurface(const MeshView& mesh, const MeasuredSurface& other,
 								 Workers& workers) :
 		origin_(other.origin_),
-		tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
+		tree_(mesh, origin_, workers)
 {
 }
 
@@ -122,7 +150,7 @@ DistanceFigures MeasuredSurface::from(const MeshView& mesh, std::int64_t sampleN
 	DistanceFigures         figures;
 	const std::vector<char> used = usedVertices(mesh);
 	figures.vertexNum            = std::count(used.begin(), used.end(), 1);
-	if (tree_->size() == 0 || figures.vertexNum == 0) return figures;
+	if (tree_.size() == 0 || figures.vertexNum == 0) return figures;
 	const auto ofVertices = [&](std::size_t begin, std::size_t end) {
 		Search       search(*this);
 		DistanceSums part;
@@ -132,33 +160,46 @@ DistanceFigures MeasuredSurface::from(const MeshView& mesh, std::int64_t sampleN
 	};
 	figures.vertexMax = workers.sum<DistanceSums>(mesh.vertexNum, ofVertices).max;
 	figures.max       = figures.vertexMax;
-	const EvenPoints points(mesh, sampleNum);
-	if (points.num() == 0) return figures;
+	measureArea(mesh, sampleNum, workers, figures);
+	return figures;
+}
+
+/// Measures points spread evenly over the area.
+void MeasuredSurface::measureArea(const MeshView& mesh, std::int64_t sampleNum, Workers& workers,
+								  DistanceFigures& figures) const
+{
+	const std::vector<double> area = runningArea(mesh);
+	if (!(area.back() > 0)) return;
+	// Systematic sampling: point j lies at the share (j + 1/2) / num of the running area.
+	const double      num = double(sampleNum), spacing = area.back() / num;
+	const auto        areaAt = [spacing](std::size_t j) { return (double(j) + 0.5) * spacing; };
 	DistanceHistogram histogram;
 	const auto        ofPoints = [&](std::size_t begin, std::size_t end) {
         Search       search(*this);
         DistanceSums part;
-        points.forEach(begin, end, [&](const Vec3d& p) {
-            const double d = search.distance(p);
+        auto         face = std::upper_bound(area.begin(), area.end() - 1, areaAt(begin));
+        for (std::size_t j = begin; j < end; ++j) {
+            while (*face <= areaAt(j) && face != area.end() - 1)
+                ++face;
+            const std::size_t f = std::size_t(face - area.begin());
+            const double      d = search.distance(pointInFace(mesh, f, j));
             part.add(d);
             histogram.add(d);
-        });
+        }
         return part;
 	};
-	const DistanceSums sums = workers.sum<DistanceSums>(points.num(), ofPoints);
-	const double       num  = double(points.num());
-	figures.sampleNum       = std::int64_t(points.num());
+	const DistanceSums sums = workers.sum<DistanceSums>(std::size_t(sampleNum), ofPoints);
+	figures.sampleNum       = sampleNum;
 	figures.mean            = sums.sum / num;
 	figures.rms             = std::sqrt(sums.squares / num);
 	figures.p999            = histogram.p999(sums.max);
 	figures.max             = std::max(figures.max, sums.max);
-	return figures;
 }
 
 std::vector<float> MeasuredSurface::ofFaces(const MeshView& mesh, Workers& workers) const
 {
 	std::vector<float> distances(mesh.faceNum, 0);
-	if (tree_->size() == 0) return distances;
+	if (tree_.size() == 0) return distances;
 	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		Search search(*this);
 		for (std::size_t f = begin; f < end; ++f)
@@ -173,7 +214,7 @@ std::vector<FarthestPoint> MeasuredSurface::farthestPoints(const MeshView&      
 														   Workers& workers) const
 {
 	std::vector<FarthestPoint> points(faces.size());
-	if (tree_->size() == 0) return points;
+	if (tree_.size() == 0) return points;
 	workers.forRange(faces.size(), [&](std::size_t begin, std::size_t end) {
 		Search search(*this);
 		for (std::size_t i = begin; i < end; ++i)

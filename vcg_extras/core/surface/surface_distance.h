@@ -11,7 +11,6 @@
 #include <vcg_extras/core/report.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace gpr {
@@ -41,7 +40,7 @@ public:
 	/// With positions relative to the origin of `other`: proofs need a common origin.
 	MeasuredSurface(const MeshView& mesh, const MeasuredSurface& other, Workers& workers);
 
-	const TriangleTree& tree() const { return *tree_; }
+	const TriangleTree& tree() const { return tree_; }
 	const Vec3d&        origin() const { return origin_; }
 
 	/// Distances of another surface from this surface (Cignoni, Rocchini, Scopigno 1998: Metro), at
@@ -67,8 +66,11 @@ public:
 private:
 	class Search;
 
-	Vec3d                         origin_;
-	std::unique_ptr<TriangleTree> tree_;
+	Vec3d        origin_;
+	TriangleTree tree_;
+
+	void measureArea(const MeshView& mesh, std::int64_t sampleNum, Workers& workers,
+					 DistanceFigures& figures) const;
 };
 
 /// Number of points for a comparison of two surfaces: ten per face of the result, at least 200000

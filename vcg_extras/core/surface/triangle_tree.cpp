@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triangle_tree.h"
 
-#include "even_points.h"
-
 #include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gpr {
 
@@ -21,26 +18,16 @@ constexpr int maxDepth = 32;
 
 double squaredDistanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 {
-	const Vec3d  ab = b - a, ap = p - a;
-	const double squared = squaredLength(ab);
-	const double t       = squared > 0 ? std::min(1.0, std::max(0.0, dot(ap, ab) / squared)) : 0.0;
-	return squaredLength(ap - ab * t);
-}
-
-float roundedDown(double x)
-{
-	return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
-}
-
-float roundedUp(double x)
-{
-	return std::nextafter(float(x), std::numeric_limits<float>::infinity());
+	return squaredLength(p - a - (b - a) * shareOnSegment(p, a, b));
 }
 
 Box<float> roundedOut(const Box<double>& box)
 {
-	return {{roundedDown(box.low.x), roundedDown(box.low.y), roundedDown(box.low.z)},
-			{roundedUp(box.high.x), roundedUp(box.high.y), roundedUp(box.high.z)}};
+	const auto toward = [](const Vec3d& p, float end) {
+		return Vec3f(std::nextafter(float(p.x), end), std::nextafter(float(p.y), end),
+					 std::nextafter(float(p.z), end));
+	};
+	return {toward(box.low, -HUGE_VALF), toward(box.high, HUGE_VALF)};
 }
 
 /// A face during the ordering.
@@ -61,17 +48,12 @@ Placed placed(const MeshView& mesh, int face, const Vec3d& origin)
 /// The axis with the largest extent of the centres.
 int longestAxis(const Placed* begin, const Placed* end)
 {
-	float size[3];
-	for (int k = 0; k < 3; ++k) {
-		float low = HUGE_VALF, high = -HUGE_VALF;
-		for (const Placed* p = begin; p < end; ++p) {
-			low  = std::min(low, p->centre[k]);
-			high = std::max(high, p->centre[k]);
-		}
-		size[k] = high - low;
-	}
-	if (size[0] >= size[1] && size[0] >= size[2]) return 0;
-	return size[1] >= size[2] ? 1 : 2;
+	Box<float> box;
+	for (const Placed* p = begin; p < end; ++p)
+		box.add({p->centre[0], p->centre[1], p->centre[2]});
+	const Vec3f size = box.high - box.low;
+	if (size.x >= size.y && size.x >= size.z) return 0;
+	return size.y >= size.z ? 1 : 2;
 }
 
 void splitAt(Placed* begin, Placed* middle, Placed* end)
@@ -83,7 +65,7 @@ void splitAt(Placed* begin, Placed* middle, Placed* end)
 }
 
 /// Per edge, three a triangle, the triangle beyond; -1 unless exactly two triangles share the edge.
-Buffer<int> neighboursOf(const MeshView& mesh, const Buffer<int>& face, Workers& workers)
+Buffer<int> neighboursOf(const MeshView& mesh, const std::vector<int>& face, Workers& workers)
 {
 	const auto sideOf = [&](std::size_t edge) {
 		const EdgeSide side = edgeSide(mesh, 3 * std::size_t(face[edge / 3]) + edge % 3);
@@ -103,6 +85,21 @@ Buffer<int> neighboursOf(const MeshView& mesh, const Buffer<int>& face, Workers&
 }
 
 } // namespace
+
+bool hasPlaces(const MeshView& mesh, std::size_t face)
+{
+	for (const std::int32_t v : mesh.triangle(face)) {
+		if (v < 0 || std::size_t(v) >= mesh.vertexNum) return false;
+		if (!isFinite(mesh.position(std::size_t(v)))) return false;
+	}
+	return true;
+}
+
+bool isUsableFace(const MeshView& mesh, std::size_t face)
+{
+	const auto t = mesh.triangle(face);
+	return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && hasPlaces(mesh, face);
+}
 
 double squaredDistance(const Vec3d& p, const Triangle& t)
 {
@@ -131,11 +128,7 @@ double squaredDistance(const Vec3d& p, const Triangle& t)
 
 TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& workers)
 {
-	face_ =
-		workers.collectMany<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (std::size_t f = begin; f < end; ++f)
-				if (isUsableFace(mesh, f)) out.push_back(int(f));
-		});
+	face_ = workers.collectIf(mesh.faceNum, [&](int f) { return isUsableFace(mesh, f); });
 	if (face_.empty()) return;
 	while ((face_.size() >> depth_) > leafSize)
 		++depth_;
@@ -196,13 +189,6 @@ void TriangleTree::fillBoxes(Workers& workers)
 			box_.add(p);
 }
 
-bool TriangleTree::isBetter(const Nearest& a, const Nearest& b, Ties ties) const
-{
-	if (ties == Ties::FirstFound || a.squared != b.squared || b.triangle < 0)
-		return a.squared < b.squared;
-	return face(a.triangle) < face(b.triangle);
-}
-
 void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 {
 	struct Waiting {
@@ -211,6 +197,10 @@ void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 	};
 	const auto mayHoldBetter = [&](double squared) {
 		return squared < best.squared || (ties == Ties::LowestFace && squared == best.squared);
+	};
+	const auto isBetter = [&](const Nearest& a) {
+		return a.squared < best.squared || (mayHoldBetter(a.squared) && best.triangle >= 0 &&
+											face_[a.triangle] < face_[best.triangle]);
 	};
 	const std::size_t firstLeaf = (std::size_t(1) << depth_) - 1;
 	Waiting           stack[maxDepth];
@@ -232,7 +222,7 @@ void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 		const int leaf = int(node - firstLeaf);
 		for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i) {
 			const Nearest own = {i, squaredDistance(p, triangle_[i])};
-			if (isBetter(own, best, ties)) best = own;
+			if (isBetter(own)) best = own;
 		}
 	}
 }
@@ -249,7 +239,7 @@ int TriangleTree::nearestFace(const Vec3d& p) const
 {
 	Nearest best;
 	if (size() > 0) search(p, Ties::LowestFace, best);
-	return best.triangle < 0 ? -1 : face(best.triangle);
+	return best.triangle < 0 ? -1 : face_[best.triangle];
 }
 
 } // namespace gpr

@@ -10,11 +10,17 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
 /// The corners of a triangle in double precision.
 using Triangle = std::array<Vec3d, 3>;
+
+/// Whether a face has corners that exist and are finite.
+bool hasPlaces(const MeshView& mesh, std::size_t face);
+/// Whether a face also has three different corners.
+bool isUsableFace(const MeshView& mesh, std::size_t face);
 
 /// Squared distance of a point from a triangle. The distance belongs to a point of the triangle, so
 /// it is too small by nothing but rounding, and too large by at most 1e-8 of the extent of both,
@@ -71,17 +77,15 @@ public:
 
 private:
 	Buffer<Triangle>   triangle_;
-	Buffer<int>        face_;
+	std::vector<int>   face_;
 	Buffer<int>        neighbour_;
 	Buffer<Box<float>> node_; ///< a heap: the children of node i are 2i + 1 and 2i + 2
 	Box<double>        box_;
 	int                depth_ = 0; ///< level of the leaves
 
-	int  face(int t) const { return face_[t]; }
 	void order(const MeshView& mesh, const Vec3d& origin, Workers& workers);
 	void fillBoxes(Workers& workers);
 	enum class Ties { FirstFound, LowestFace };
-	bool isBetter(const Nearest& a, const Nearest& b, Ties ties) const;
 	void search(const Vec3d& p, Ties ties, Nearest& best) const;
 };
 
