@@ -90,11 +90,11 @@ TEST(CertifiedDistance, AgreesWithCgal)
 	for (const Pair& p : pairs()) {
 		SCOPED_TRACE(p.name);
 		ASSERT_GT(p.b.faceNum(), 0u);
-		const double         diagonal = measureMesh(p.a.view()).diagonal;
-		const double         error    = 1e-4 * diagonal;
-		const DistanceBounds bounds =
-			certifiedDistances(p.a.view(), p.b.view(), usualCertificate(diagonal), workers)
-				.hausdorff();
+		const double          diagonal = measureMesh(p.a.view()).diagonal;
+		const double          error    = 1e-4 * diagonal;
+		const MeasuredSurface ofA(p.a.view(), workers), ofB(p.b.view(), ofA, workers);
+		const DistanceBounds  bounds =
+			certifiedDistances(ofA, ofB, usualCertificate(diagonal), workers).hausdorff();
 		const double other = cgalDistance(p.a, p.b, error);
 		EXPECT_FALSE(bounds.isBudgetSpent);
 		EXPECT_LE(bounds.upper, 1.01 * bounds.lower + 1e-5 * diagonal);

@@ -24,6 +24,13 @@ double diagonalOf(const TriangleMesh& mesh)
 	return measureMesh(mesh.view()).diagonal;
 }
 
+MutualBounds boundsBetween(const TriangleMesh& input, const TriangleMesh& result,
+						   const CertificateSettings& settings, Workers& workers)
+{
+	const MeasuredSurface ofInput(input.view(), workers), ofResult(result.view(), ofInput, workers);
+	return certifiedDistances(ofInput, ofResult, settings, workers);
+}
+
 /// Bounds of the distance from the points of one mesh to another mesh.
 DistanceBounds boundsOf(const TriangleMesh& from, const TriangleMesh& to, int threads = 2,
 						std::int64_t budget = 4000000)
@@ -31,7 +38,7 @@ DistanceBounds boundsOf(const TriangleMesh& from, const TriangleMesh& to, int th
 	Workers             workers(threads, nullptr);
 	CertificateSettings settings = usualCertificate(diagonalOf(from));
 	settings.budget              = budget;
-	return certifiedDistances(to.view(), from.view(), settings, workers).toInput;
+	return boundsBetween(to, from, settings, workers).toInput;
 }
 
 /// Expects that the bounds hold the distance and are as close as promised.
@@ -227,8 +234,7 @@ TEST(CertifiedDistance, BothWaysGiveTheHausdorffDistance)
 {
 	Workers            workers(2, nullptr);
 	const TriangleMesh whole = grid(20, 20), part = grid(10, 20, 0.5, 1);
-	const MutualBounds b =
-		certifiedDistances(whole.view(), part.view(), usualCertificate(1.4), workers);
+	const MutualBounds b = boundsBetween(whole, part, usualCertificate(1.4), workers);
 	EXPECT_LE(b.toInput.upper, 2e-5);
 	expectTight(b.fromInput, 0.5, 1.4);
 	EXPECT_EQ(b.hausdorff().upper, b.fromInput.upper);
@@ -251,7 +257,7 @@ TEST(CertifiedDistance, ProvesAWantedBoundHoweverClose)
 		settings.relative = relative;
 		settings.absolute = 1e-6;
 		settings.wanted   = wanted;
-		return certifiedDistances(fine.view(), rough.view(), settings, workers).fromInput;
+		return boundsBetween(fine, rough, settings, workers).fromInput;
 	};
 	const double distance = boundsWith(1e-3, 0).upper, wanted = 1.0005 * distance;
 	ASSERT_GT(boundsWith(0.2, 0).upper, wanted) << "the usual bound is too wide";

@@ -208,9 +208,10 @@ Json Session::measured(const std::string& key, const std::string& name)
 
 Json Session::proven(const std::string& key)
 {
-	Workers workers(threadNum(), nullptr);
-	return app::boundsJson(certifiedDistances(source_.mesh.view(), made(key).view(),
-											  usualCertificate(diagonal_), workers),
+	Workers                workers(threadNum(), nullptr);
+	const MeasuredSurface& input = measuredInput(workers);
+	const MeasuredSurface  mesh(made(key).view(), input, workers);
+	return app::boundsJson(certifiedDistances(input, mesh, usualCertificate(diagonal_), workers),
 						   diagonal_);
 }
 

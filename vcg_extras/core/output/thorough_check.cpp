@@ -24,9 +24,7 @@ DistanceProof proveDistance(RunContext& run, const Surface& surface, double diag
 	CertificateSettings settings = usualCertificate(diagonal * scale);
 	settings.coordinateError     = rounding;
 	settings.wanted              = wanted * scale;
-	MutualBounds bounds;
-	bounds.toInput   = certifiedDistance(both.result, both.input, settings, run.workers);
-	bounds.fromInput = certifiedDistance(both.input, both.result, settings, run.workers);
+	const MutualBounds  bounds = certifiedDistances(both.input, both.result, settings, run.workers);
 	const DistanceProof proof{true, bounds.times(1 / scale)};
 	if (proof.bounds.hausdorff().isBudgetSpent) {
 		run.tell("The proven bounds of the largest distance differ by more than 1 %: the budget of "

@@ -128,11 +128,13 @@ public:
 		return bounds();
 	}
 
-	/// Triangles with a point farther than limit, in the regions.
-	std::vector<FarPlace> beyond(double limit, const std::vector<Box<double>>& regions)
+	/// Triangles with a point farther than limit, in the regions, which are relative to the origin
+	/// of the mesh.
+	std::vector<FarPlace> beyond(double limit, const std::vector<Box<double>>& regions,
+								 const Vec3d& origin)
 	{
 		fixedGoal_ = limit;
-		if (!regions.empty()) markRegions(regions);
+		if (!regions.empty()) markRegions(regions, origin);
 		lookAtGroups();
 		std::vector<FarPlace> places(faces_.size());
 		workers_.forEach(faces_.size(), [&](int i) { places[i] = placeOf(faces_[i], limit); });
@@ -180,11 +182,8 @@ private:
 		double upper = std::max(lower_, upper_);
 		for (const Piece& p : pieces_)
 			upper = std::max(upper, p.bound);
-		DistanceBounds b;
-		b.lower         = std::max(0.0, lower_ - slack_);
-		b.upper         = upper + slack_;
-		b.isBudgetSpent = !pieces_.empty() && upper > tightBound();
-		return b;
+		const bool isBudgetSpent = !pieces_.empty() && upper > tightBound();
+		return {std::max(0.0, lower_ - slack_), upper + slack_, isBudgetSpent};
 	}
 
 	/// Whether a triangle or piece with this bound is finished.
@@ -195,12 +194,12 @@ private:
 		return true;
 	}
 
-	void markRegions(const std::vector<Box<double>>& regions)
+	void markRegions(const std::vector<Box<double>>& regions, const Vec3d& origin)
 	{
 		const Box<double>& all = from_.box();
 		regions_.emplace(Vec3f(all.low), float(all.largestSide()) + 1e-30f);
 		for (const Box<double>& region : regions)
-			regions_->mark({Vec3f(region.low), Vec3f(region.high)});
+			regions_->mark({Vec3f(region.low - origin), Vec3f(region.high - origin)});
 	}
 
 	bool isInRegions(const Box<float>& box) const { return !regions_ || regions_->mayMeet(box); }
@@ -516,39 +515,32 @@ std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSu
 								   const std::vector<Box<double>>& regions)
 {
 	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
-	std::vector<Box<double>> own = regions;
-	for (Box<double>& box : own) {
-		box.low  = box.low - from.origin();
-		box.high = box.high - from.origin();
-	}
 	const CertificateSettings settings;
-	std::vector<FarPlace>     places =
-		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit, own);
+	std::vector<FarPlace>     places = BranchAndBound(from.tree(), to.tree(), 0, settings, workers)
+									   .beyond(limit, regions, from.origin());
 	for (FarPlace& p : places)
-		p.position = p.position + from.origin();
+		p.position += from.origin();
 	return places;
 }
 
-MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
+MutualBounds certifiedDistances(const MeasuredSurface& input, const MeasuredSurface& result,
 								const CertificateSettings& settings, Workers& workers)
 {
-	const MeasuredSurface a(input, workers), b(result, a, workers);
-	return {certifiedDistance(b, a, settings, workers), certifiedDistance(a, b, settings, workers)};
+	return {certifiedDistance(result, input, settings, workers),
+			certifiedDistance(input, result, settings, workers)};
 }
 
 ComparedDistance compareSurfaces(const MeshView& input, const MeasuredSurface& inputSurface,
 								 const MeshView& result, double diagonal, Workers& workers)
 {
-	const MeasuredSurface     surface(result, inputSurface, workers);
-	const std::int64_t        pointNum = distanceSampleNum(result.faceNum);
-	const CertificateSettings settings = usualCertificate(diagonal);
-	ComparedDistance          found;
-	found.toInput          = inputSurface.from(result, pointNum, workers);
-	found.fromInput        = surface.from(input, pointNum, workers);
-	found.proven.toInput   = certifiedDistance(surface, inputSurface, settings, workers);
-	found.proven.fromInput = certifiedDistance(inputSurface, surface, settings, workers);
-	found.toInput.max      = std::max(found.toInput.max, found.proven.toInput.lower);
-	found.fromInput.max    = std::max(found.fromInput.max, found.proven.fromInput.lower);
+	const MeasuredSurface surface(result, inputSurface, workers);
+	const std::int64_t    pointNum = distanceSampleNum(result.faceNum);
+	ComparedDistance      found;
+	found.toInput   = inputSurface.from(result, pointNum, workers);
+	found.fromInput = surface.from(input, pointNum, workers);
+	found.proven = certifiedDistances(inputSurface, surface, usualCertificate(diagonal), workers);
+	found.toInput.max   = std::max(found.toInput.max, found.proven.toInput.lower);
+	found.fromInput.max = std::max(found.fromInput.max, found.proven.fromInput.lower);
 	return found;
 }
 

@@ -69,7 +69,7 @@ std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSu
 								   const std::vector<Box<double>>& regions = {});
 
 /// certifiedDistance in both directions between an input and a result.
-MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
+MutualBounds certifiedDistances(const MeasuredSurface& input, const MeasuredSurface& result,
 								const CertificateSettings& settings, Workers& workers);
 
 /// Distances of an input and a result from each other.
