@@ -31,8 +31,15 @@ constexpr int pieceSize = 16384;
 /// The entry of a vertex that has left the list of a face.
 constexpr int gone = -1;
 
-/// Breadth-first flood within pieces of consecutive vertices. From piece to piece go offers, all
-/// made before any is taken. The same labels for any number of threads.
+/// A vertex of the working surface, and its new label: a vertex or a face of the result.
+struct Labelled {
+	int vertex, label;
+};
+
+/// Labels each vertex of the working surface by a vertex of the result near by: a breadth-first
+/// flood from all surface points at once, within pieces of consecutive vertices. From piece to
+/// piece go offers, all made before any is taken. -1 for vertices that the flood does not reach.
+/// The same labels for any number of threads.
 class PointFlood {
 public:
 	PointFlood(const Surface& surface, const ResultMesh& result, Workers& workers) :
@@ -52,17 +59,13 @@ public:
 	}
 
 private:
-	struct Offer {
-		int vertex, label;
-	};
-
-	const HalfEdgeMesh&             m_;
-	const ResultMesh&               r_;
-	Workers&                        workers_;
-	std::size_t                     pieceNum_;
-	Buffer<int>                     label_;
-	std::vector<std::vector<int>>   left_;   ///< per piece: vertices without a label
-	std::vector<std::vector<Offer>> offers_; ///< per piece
+	const HalfEdgeMesh&                m_;
+	const ResultMesh&                  r_;
+	Workers&                           workers_;
+	std::size_t                        pieceNum_;
+	Buffer<int>                        label_;
+	std::vector<std::vector<int>>      left_;   ///< per piece: vertices without a label
+	std::vector<std::vector<Labelled>> offers_; ///< per piece
 
 	/// Seeds are the corners of the surface points' faces, numbered by vertex of the result and
 	/// corner.
@@ -122,7 +125,7 @@ private:
 				if (best >= 0) offers_[piece].push_back({v, best});
 			}
 		});
-		for (const std::vector<Offer>& o : offers_) {
+		for (const std::vector<Labelled>& o : offers_) {
 			if (!o.empty()) return true;
 		}
 		return false;
@@ -133,7 +136,7 @@ private:
 		workers_.forTasks(pieceNum_, [&](std::size_t piece, int) {
 			if (offers_[piece].empty()) return;
 			std::vector<int> queue;
-			for (const Offer& o : offers_[piece])
+			for (const Labelled& o : offers_[piece])
 				take(o.vertex, o.label, queue);
 			flood(piece, queue);
 			std::vector<int>& left = left_[piece];
@@ -275,10 +278,6 @@ public:
 	}
 
 private:
-	struct Back {
-		int vertex, face;
-	};
-
 	const HalfEdgeMesh&   m_;
 	const TriangleSearch& search_;
 	Buffer<int>&          face_;
@@ -289,17 +288,17 @@ private:
 	std::vector<int> takeRing(const std::vector<int>& front)
 	{
 		// All searches read the faces of the round before: the same bits for any number of threads.
-		const std::vector<Back> back =
-			workers_.collectEach<Back>(front.size(), [&](int i, auto& out) {
+		const std::vector<Labelled> back =
+			workers_.collectEach<Labelled>(front.size(), [&](int i, auto& out) {
 				const int face = nearestByNeighbours(front[i]);
 				if (!search_.isStray(front[i], face)) out.push_back({front[i], face});
 			});
 		std::vector<int> beside;
-		for (const Back& b : back) {
-			face_[b.vertex]    = b.face;
+		for (const Labelled& b : back) {
+			face_[b.vertex]    = b.label;
 			isStray_[b.vertex] = 0;
 		}
-		for (const Back& b : back) {
+		for (const Labelled& b : back) {
 			forEachNeighbour(m_, b.vertex, [&](int q) {
 				if (isStray_[q]) beside.push_back(q);
 			});
@@ -326,7 +325,7 @@ private:
 Buffer<int> findFaces(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	const HalfEdgeMesh&    m    = result.mesh;
-	Buffer<int>            face = floodFromPoints(surface, result, workers);
+	Buffer<int>            face = PointFlood(surface, result, workers).run();
 	const TriangleSearch   search(surface, m, planesOf(m, workers));
 	const std::vector<int> strays = workers.collectIf(face.size(), [&](int p) {
 		if (face[p] < 0) return false;
@@ -338,12 +337,59 @@ Buffer<int> findFaces(const Surface& surface, const ResultMesh& result, Workers&
 	return face;
 }
 
-} // namespace
-
-Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers)
+/// Takes the vertices that change their face out of the lists. Goes face by face: the terms of the
+/// barycentric weights are computed once for all vertices of a face. Nearly all of these vertices
+/// still lie over the face.
+std::vector<Labelled> takeLeavers(const Surface& surface, const HalfEdgeMesh& result,
+								  const Buffer<int>& start, Buffer<int>& item, Workers& workers)
 {
-	return PointFlood(surface, result, workers).run();
+	const TriangleSearch search(surface, result);
+	return workers.collectEach<Labelled>(result.faceNum, [&](int f, auto& out) {
+		const FacePlane plane(result, f);
+		for (int i = start[f]; i < start[f + 1]; ++i) {
+			const int p = item[i];
+			if (isOver(plane, surface.mesh.position[p], surface.normal[p].unpack())) continue;
+			const int to = search.locate(p, f).face;
+			if (to == f) continue;
+			out.push_back({p, to});
+			item[i] = gone;
+		}
+	});
 }
+
+/// The new list of a face: first the vertices that stayed, then the new vertices.
+void takeIn(const std::vector<Labelled>& leavers, Workers& workers, Buffer<int>& start,
+			Buffer<int>& item)
+{
+	const std::size_t faceNum = start.size() - 1;
+	Buffer<int>       comingStart, coming;
+	sortIntoBuckets(
+		leavers.size(), faceNum, [&](std::size_t i) { return leavers[i].label; }, workers,
+		comingStart, coming);
+	Buffer<int> newStart(faceNum + 1);
+	workers.forEach(faceNum, [&](int f) {
+		const int* const begin = item.data() + start[f];
+		const int* const end   = item.data() + start[f + 1];
+		newStart[f] =
+			int(end - begin - std::count(begin, end, gone)) + comingStart[f + 1] - comingStart[f];
+	});
+	newStart[faceNum] = 0;
+	workers.sumUp(newStart.data(), faceNum + 1); // now the end of each list
+	Buffer<int> newItem(item.size());
+	workers.forEach(faceNum, [&](int f) {
+		int* to = newItem.data() + newStart[f];
+		for (int i = comingStart[f + 1]; i > comingStart[f]; --i)
+			*--to = leavers[coming[i - 1]].vertex;
+		for (int i = start[f + 1]; i > start[f]; --i) {
+			if (item[i - 1] != gone) *--to = item[i - 1];
+		}
+		newStart[f] = int(to - newItem.data());
+	});
+	start.swap(newStart);
+	item.swap(newItem);
+}
+
+} // namespace
 
 ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers) :
 		surface_(surface)
@@ -355,57 +401,7 @@ ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result,
 
 void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
-	takeIn(takeLeavers(result.mesh, workers), workers);
-}
-
-/// Goes face by face: the terms of the barycentric weights are computed once for all vertices of a
-/// face. Nearly all of these vertices still lie over the face.
-std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMesh& result,
-																Workers&            workers)
-{
-	const TriangleSearch search(surface_, result);
-	return workers.collectEach<Leaver>(result.faceNum, [&](int f, auto& out) {
-		const FacePlane plane(result, f);
-		for (int i = start_[f]; i < start_[f + 1]; ++i) {
-			const int p = item_[i];
-			if (isOver(plane, surface_.mesh.position[p], surface_.normal[p].unpack())) continue;
-			const int to = search.locate(p, f).face;
-			if (to == f) continue;
-			out.push_back({p, to});
-			item_[i] = gone;
-		}
-	});
-}
-
-/// The new list of a face: first the vertices that stayed, then the new vertices.
-void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers)
-{
-	const std::size_t faceNum = start_.size() - 1;
-	Buffer<int>       comingStart, coming;
-	sortIntoBuckets(
-		leavers.size(), faceNum, [&](std::size_t i) { return leavers[i].toFace; }, workers,
-		comingStart, coming);
-	Buffer<int> start(faceNum + 1);
-	workers.forEach(faceNum, [&](int f) {
-		const int* const begin = item_.data() + start_[f];
-		const int* const end   = item_.data() + start_[f + 1];
-		start[f] =
-			int(end - begin - std::count(begin, end, gone)) + comingStart[f + 1] - comingStart[f];
-	});
-	start[faceNum] = 0;
-	workers.sumUp(start.data(), faceNum + 1); // now the end of each list
-	Buffer<int> item(item_.size());
-	workers.forEach(faceNum, [&](int f) {
-		int* to = item.data() + start[f];
-		for (int i = comingStart[f + 1]; i > comingStart[f]; --i)
-			*--to = leavers[coming[i - 1]].vertex;
-		for (int i = start_[f + 1]; i > start_[f]; --i) {
-			if (item_[i - 1] != gone) *--to = item_[i - 1];
-		}
-		start[f] = int(to - item.data());
-	});
-	start_.swap(start);
-	item_.swap(item);
+	takeIn(takeLeavers(surface_, result.mesh, start_, item_, workers), workers, start_, item_);
 }
 
 } // namespace gpr

@@ -8,8 +8,6 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
 
-#include <vector>
-
 namespace gpr {
 
 /// The vertices of the working surface that belong to each face of the result. Each vertex belongs
@@ -32,23 +30,10 @@ public:
 	const int* end(int f) const { return item_.data() + start_[f + 1]; }
 
 private:
-	/// A vertex of the working surface that changes its face.
-	struct Leaver {
-		int vertex, toFace;
-	};
-
 	const Surface& surface_;
 	Buffer<int>    start_; ///< per face of the result: the begin of its list in item_
 	Buffer<int>    item_;
-
-	std::vector<Leaver> takeLeavers(const HalfEdgeMesh& result, Workers& workers);
-	void                takeIn(const std::vector<Leaver>& leavers, Workers& workers);
 };
-
-/// For each vertex of the working surface, a vertex of the result near by: a breadth-first flood
-/// from all surface points at once. -1 for vertices that the flood does not reach. Cost: linear,
-/// parallel.
-Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 
