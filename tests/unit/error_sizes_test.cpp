@@ -26,16 +26,13 @@ protected:
 	Buffer<float> sizes(const Surface& of, double even, int threads = 2,
 						const Buffer<char>& lines = {})
 	{
-		Workers          own(threads, nullptr);
-		Surface          surface = copyOf(of, own);
-		ErrorSizeRequest request;
-		request.even     = float(even * surface.frame.scale);
-		request.largest  = largest * request.even;
-		request.slope    = slope;
-		ErrorSizes found = sizesByError(surface, lines, request, own);
-		epsilon          = found.epsilon / request.even;
+		Workers     own(threads, nullptr);
+		Surface     surface  = copyOf(of, own);
+		const float evenEdge = float(even * surface.frame.scale);
+		ErrorSizes  found    = sizesByError(surface, lines, evenEdge, {largest, slope}, own);
+		epsilon              = found.epsilon / evenEdge;
 		for (float& edge : found.edge)
-			edge /= request.even;
+			edge /= evenEdge;
 		return std::move(found.edge);
 	}
 	float epsilon = 0; ///< of the last search, over `even`

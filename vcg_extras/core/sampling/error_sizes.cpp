@@ -44,12 +44,12 @@ constexpr float sinePerSlope = 1.6f;
 using Radii                  = std::array<float, radiusNum>;
 using Flatness               = std::array<float, radiusNum>; ///< at each radius, never falling
 
-Radii radiiFor(const ErrorSizeRequest& request)
+Radii radiiFor(float even, float largest)
 {
 	Radii       radii;
-	const float ratio = request.largest / (smallestShare * request.even);
+	const float ratio = largest / (smallestShare * even);
 	const float step  = std::sqrt(std::sqrt(ratio)); // the fourth root: five radii
-	float       edge  = smallestShare * request.even;
+	float       edge  = smallestShare * even;
 	for (float& radius : radii) {
 		radius = radiusOfEdge * edge;
 		edge *= step;
@@ -403,10 +403,10 @@ private:
 class SizeSearch {
 public:
 	/// surface: with rings.
-	SizeSearch(const Surface& surface, const ErrorSizeRequest& request, Workers& workers) :
-			mesh_(surface.mesh), ring_(surface.ring), request_(request), workers_(workers),
-			radii_(radiiFor(request)), ofLargest_(trianglesAt(request.largest)),
-			wanted_(1 - ofLargest_), centre_(spreadCentres())
+	SizeSearch(const Surface& surface, float even, const ErrorSizeRange& range, Workers& workers) :
+			mesh_(surface.mesh), ring_(surface.ring), even_(even), largest_(range.largest * even),
+			slope_(range.slope), workers_(workers), radii_(radiiFor(even, largest_)),
+			ofLargest_(trianglesAt(largest_)), wanted_(1 - ofLargest_), centre_(spreadCentres())
 	{
 	}
 
@@ -425,7 +425,7 @@ public:
 
 		ErrorSizes sizes;
 		sizes.edge.reset(mesh_.vertexNum);
-		workers_.forEach(sizes.edge.size(), [&](int v) { sizes.edge[v] = request_.largest; });
+		workers_.forEach(sizes.edge.size(), [&](int v) { sizes.edge[v] = largest_; });
 		sizes.epsilon = std::max(noise, usualRaise * flat);
 		makeSizes(sizes.epsilon, sizes.edge);
 		float corrected = std::clamp(correctedEpsilon(sizes), least, most);
@@ -448,7 +448,9 @@ private:
 
 	const HalfEdgeMesh&       mesh_;
 	const Buffer<RingSum>&    ring_;
-	const ErrorSizeRequest&   request_;
+	const float               even_;    ///< edge of equal triangles
+	const float               largest_; ///< edge on flat ground
+	const float               slope_;
 	Workers&                  workers_;
 	const Radii               radii_;
 	const double              ofLargest_; ///< share of triangles if all had the largest size
@@ -461,7 +463,7 @@ private:
 	std::vector<Centre> spreadCentres()
 	{
 		constexpr std::size_t grain  = 4096;
-		const float           square = request_.even * request_.even / disksPerSquare;
+		const float           square = even_ * even_ / disksPerSquare;
 		const auto            spread = [&](std::size_t begin, std::size_t end, auto& out) {
             CentreSpreader spreader(ring_, square, out);
             for (std::size_t v = begin; v < end; ++v)
@@ -479,7 +481,7 @@ private:
 
 	double trianglesAt(float edge) const
 	{
-		const double ratio = double(request_.even / edge);
+		const double ratio = double(even_ / edge);
 		return ratio * ratio;
 	}
 	static bool isFarFrom(float epsilon, float other)
@@ -515,7 +517,7 @@ private:
 			gather(num, [&](std::size_t i, FlatnessGauge& gauge, std::vector<Bent>& out) {
 				const int v = centre_[i * step].vertex;
 				gauge.ofLargest(v, 0);
-				out.push_back({v, gauge.ofAll(request_.even)});
+				out.push_back({v, gauge.ofAll(even_)});
 			});
 		return epsilonFor(some, num, wanted_);
 	}
@@ -533,7 +535,7 @@ private:
 	/// The ε that gives the wanted number of small triangles.
 	float epsilonFor(const std::vector<Bent>& bent, std::size_t diskNum, double wanted)
 	{
-		float low = 0, high = request_.even;
+		float low = 0, high = even_;
 		for (int halving = 0; halving < 20; ++halving) {
 			workers_.poll();
 			const float middle                                            = 0.5f * (low + high);
@@ -582,13 +584,13 @@ private:
 	void makeSizes(float epsilon, Buffer<float>& edge)
 	{
 		for (int v : lowered_)
-			edge[v] = request_.largest;
+			edge[v] = largest_;
 		lowered_.clear();
 		for (const Bent& b : bent_) {
 			edge[b.vertex] = edgeFor(b.flatness, radii_, epsilon);
-			if (edge[b.vertex] < request_.largest) lowered_.push_back(b.vertex);
+			if (edge[b.vertex] < largest_) lowered_.push_back(b.vertex);
 		}
-		gradeSizes(mesh_, request_.slope, workers_, lowered_, edge);
+		gradeSizes(mesh_, slope_, workers_, lowered_, edge);
 	}
 
 	/// The ε corrected for grading: as grading adds small triangles, the number without grading is
@@ -623,16 +625,16 @@ Buffer<float> joined(const Buffer<float>& ofCut, const std::vector<int>& copyOf,
 
 } // namespace
 
-ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines,
-						const ErrorSizeRequest& request, Workers& workers)
+ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines, float even,
+						const ErrorSizeRange& range, Workers& workers)
 {
 	ensureRings(surface, workers);
 	LineCut                cut(surface, lines, workers);
-	ErrorSizes             sizes  = SizeSearch(surface, request, workers).run();
+	ErrorSizes             sizes  = SizeSearch(surface, even, range, workers).run();
 	const std::vector<int> copyOf = cut.copyOf();
 	cut.close();
 	if (!copyOf.empty())
-		sizes.edge = joined(sizes.edge, copyOf, surface.mesh, request.slope, workers);
+		sizes.edge = joined(sizes.edge, copyOf, surface.mesh, range.slope, workers);
 	return sizes;
 }
 
@@ -649,11 +651,10 @@ std::int64_t countForFlatness(Surface& surface, const Buffer<char>& lines,
 	ensureRings(surface, workers);
 	const LineCut cut(surface, lines, workers);
 	for (int i = 0; i < steps; ++i) {
-		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
-		const ErrorSizeRequest request{even, range.largest * even, range.slope};
-		SizeSearch             search(surface, request, workers);
-		const bool             isLast = i + 1 == steps; // the steps before only lead near
-		const float            flat   = isLast ? search.run().epsilon : search.roughEpsilon();
+		const float even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
+		SizeSearch  search(surface, even, range, workers);
+		const bool  isLast = i + 1 == steps; // the steps before only lead near
+		const float flat   = isLast ? search.run().epsilon : search.roughEpsilon();
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
 		num = std::clamp(num, 4.0, double(most));
 	}

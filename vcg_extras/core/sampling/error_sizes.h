@@ -11,12 +11,13 @@
 
 namespace gpr {
 
-/// The request for sizes by the error; all lengths in working units.
-struct ErrorSizeRequest {
-	float even;    ///< edge of equal triangles
-	float largest; ///< edge on flat ground; above `even`
+/// The range of sizes by the error.
+struct ErrorSizeRange {
+	float largest; ///< edge on flat ground over the edge of even triangles; above 1
 	float slope;   ///< largest growth of sizes over the distance
 };
+/// The range for a given error bound, and the range for a given count.
+constexpr ErrorSizeRange rangeWithinError = {2, 0.2f}, rangeOfCount = {1.3f, 0.15f};
 
 /// Edges of triangles as large as the error allows.
 struct ErrorSizes {
@@ -27,7 +28,7 @@ struct ErrorSizes {
 /// Computes sizes by the error at the scale of the triangles. The edge at a vertex is the largest h
 /// for which the disk of radius h/2 round the vertex is flat to within ε. The flatness of a disk is
 /// half of its extent along its mean normal. So rims, tips, thin sheets and limbs get small
-/// triangles, whatever their curvature, and the rest gets the edge `largest`; no edge is below a
+/// triangles, whatever their curvature, and the rest gets the largest edge; no edge is below a
 /// quarter of `even`. ε makes the number of triangles the same as with the edge `even` everywhere:
 /// the area mean of (even / h)² is 1. On a noisy surface ε is not below the noise, and there are
 /// fewer triangles.
@@ -39,16 +40,8 @@ struct ErrorSizes {
 /// surface if empty, and cuts the surface along the lines meanwhile. The same bits for any number
 /// of threads. Cost: linear; about five disks for each square of an even edge, fewer on
 /// nearly flat ground, and a closer look at disks that bend.
-ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines,
-						const ErrorSizeRequest& request, Workers& workers);
-
-/// The range of sizes by the error.
-struct ErrorSizeRange {
-	float largest; ///< edge on flat ground over the edge of even triangles
-	float slope;   ///< see ErrorSizeRequest
-};
-/// The range for a given error bound, and the range for a given count.
-constexpr ErrorSizeRange rangeWithinError = {2, 0.2f}, rangeOfCount = {1.3f, 0.15f};
+ErrorSizes sizesByError(Surface& surface, const Buffer<char>& lines, float even,
+						const ErrorSizeRange& range, Workers& workers);
 
 /// The count at which nearly all triangles are as flat as the error bound demands. range: of the
 /// sizes of the triangles. lines: as in sizesByError. area: of the surface, working units squared.

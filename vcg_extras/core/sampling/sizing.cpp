@@ -303,11 +303,9 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 /// Edges by the error over the even edge, graded.
 Buffer<float> errorSizes(const SizingRequest& request, Surface& surface, Workers& workers)
 {
-	ErrorSizeRequest wanted;
-	wanted.even        = request.evenEdge;
-	wanted.largest     = request.evenEdge * largestSizeFor(request.options);
-	wanted.slope       = gradingSlope(request);
-	Buffer<float> edge = sizesByError(surface, request.lines, wanted, workers).edge;
+	const ErrorSizeRange range{largestSizeFor(request.options), gradingSlope(request)};
+	Buffer<float>        edge =
+		sizesByError(surface, request.lines, request.evenEdge, range, workers).edge;
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
 	return edge;
 }
