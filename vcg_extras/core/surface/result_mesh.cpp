@@ -9,8 +9,9 @@
 
 namespace gpr {
 
-float interpolatedSize(const Surface& surface, const SurfacePoint& at)
+float sizeAt(const Surface& surface, const SurfacePoint& at)
 {
+	if (surface.size.empty()) return 1;
 	const HalfEdgeMesh& m = surface.mesh;
 	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
 	const int           k       = m.origin[3 * at.face + 2];
@@ -29,8 +30,7 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 {
 	if (surface.size.empty()) return Buffer<float>();
 	Buffer<float> size(result.vertex.size());
-	workers.forEach(size.size(),
-					[&](int v) { size[v] = interpolatedSize(surface, result.vertex[v].point); });
+	workers.forEach(size.size(), [&](int v) { size[v] = sizeAt(surface, result.vertex[v].point); });
 	return size;
 }
 

@@ -69,14 +69,9 @@ inline bool maySplitBorder(const ResultMesh& result, int h)
 	return !result.keepsBorder && isAlone;
 }
 
-/// Size at a point of a surface with local sizes, interpolated over its face.
-float interpolatedSize(const Surface& surface, const SurfacePoint& at);
-
-/// Local size at a point of the surface, as a share of the largest size.
-inline float sizeAt(const Surface& surface, const SurfacePoint& at)
-{
-	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
-}
+/// Local size at a point of the surface, as a share of the largest size; interpolated over the
+/// face.
+float sizeAt(const Surface& surface, const SurfacePoint& at);
 
 /// Local sizes at the vertices of a result; empty if all sizes are equal.
 Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
