@@ -22,6 +22,48 @@ struct Beside {
 	float angle;
 };
 
+/// Whether h is part of an edge of an asked input face, and no crease.
+bool isBeside(const Surface& surface, int h, const std::vector<bool>& isAsked)
+{
+	const std::size_t face = std::size_t(surface.sourceFace[h / 3]);
+	if (face >= isAsked.size() || !isAsked[face] || surface.mesh.isCreaseEdge(h)) return false;
+	const int g = surface.mesh.opposite[h];
+	return g < 0 || surface.sourceFace[g / 3] != int(face);
+}
+
+/// Per input face beside the given edges: the largest angle at its edges, creases left out.
+std::vector<float> steepestOfFaces(const Surface& surface, const std::vector<int>& edges,
+								   Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	std::vector<bool>   isAsked; // bits stay in the cache
+	for (int h : edges) {
+		for (int side : {h, m.opposite[h]}) {
+			const std::size_t face = std::size_t(surface.sourceFace[side / 3]);
+			if (face >= isAsked.size()) isAsked.resize(face + 1, false);
+			isAsked[face] = true;
+		}
+	}
+	std::vector<float> steepest(isAsked.size(), none);
+	const auto         find = [&](int h, auto& out) {
+        if (isBeside(surface, h, isAsked))
+            out.push_back({surface.sourceFace[h / 3], dihedralAngle(m, h)});
+	};
+	for (const Beside& b : workers.collectEach<Beside>(m.halfEdgeNum(), find))
+		steepest[b.face] = std::max(steepest[b.face], b.angle);
+	return steepest;
+}
+
+/// The largest angle at the edges beside h, on the side of h.
+float steepestBeside(const HalfEdgeMesh& m, int h)
+{
+	float steepest = none;
+	for (int e : {nextInFace(h), prevInFace(h)}) {
+		if (!m.isCreaseEdge(e)) steepest = std::max(steepest, dihedralAngle(m, e));
+	}
+	return steepest;
+}
+
 } // namespace
 
 float dihedralAngle(const HalfEdgeMesh& m, int h)
@@ -46,56 +88,21 @@ bool isSharpEdge(const HalfEdgeMesh& m, int h, float cosine)
 	return d <= double(cosine) * std::sqrt(scale);
 }
 
-CreaseClearance::CreaseClearance(const Surface& surface, bool isSplit,
-								 const std::vector<int>& edges, Workers& workers) :
-		surface_(surface),
-		m_(surface.mesh)
+std::vector<char> clearEdges(const Surface& surface, bool isSplit, const std::vector<int>& edges,
+							 Workers& workers)
 {
-	if (isSplit) findSteepest(edges, workers);
-}
-
-bool CreaseClearance::isClear(int h) const
-{
-	const float beside = std::max(steepestBeside(h), steepestBeside(m_.opposite[h]));
-	return beside != none && beside * clearRatio <= dihedralAngle(m_, h);
-}
-
-void CreaseClearance::findSteepest(const std::vector<int>& edges, Workers& workers)
-{
-	std::vector<bool> isAsked; // bits stay in the cache
-	for (int h : edges) {
-		for (int side : {h, m_.opposite[h]}) {
-			const std::size_t face = std::size_t(surface_.sourceFace[side / 3]);
-			if (face >= isAsked.size()) isAsked.resize(face + 1, false);
-			isAsked[face] = true;
-		}
-	}
-	steepest_.assign(isAsked.size(), none);
-	const auto find = [&](int h, auto& out) {
-		if (isBeside(h, isAsked)) out.push_back({surface_.sourceFace[h / 3], dihedralAngle(m_, h)});
+	const HalfEdgeMesh& m = surface.mesh;
+	std::vector<float>  ofFaces;
+	if (isSplit) ofFaces = steepestOfFaces(surface, edges, workers);
+	const auto beside = [&](int h) {
+		return isSplit ? ofFaces[surface.sourceFace[h / 3]] : steepestBeside(m, h);
 	};
-	for (const Beside& b : workers.collectEach<Beside>(m_.halfEdgeNum(), find))
-		steepest_[b.face] = std::max(steepest_[b.face], b.angle);
-}
-
-/// Whether h is part of an edge of an asked input face, and no crease.
-bool CreaseClearance::isBeside(int h, const std::vector<bool>& isAsked) const
-{
-	const std::size_t face = std::size_t(surface_.sourceFace[h / 3]);
-	if (face >= isAsked.size() || !isAsked[face] || m_.isCreaseEdge(h)) return false;
-	const int g = m_.opposite[h];
-	return g < 0 || surface_.sourceFace[g / 3] != int(face);
-}
-
-/// The largest angle at the edges beside h, on the side of h.
-float CreaseClearance::steepestBeside(int h) const
-{
-	if (!steepest_.empty()) return steepest_[surface_.sourceFace[h / 3]];
-	float steepest = none;
-	for (int e : {nextInFace(h), prevInFace(h)}) {
-		if (!m_.isCreaseEdge(e)) steepest = std::max(steepest, dihedralAngle(m_, e));
-	}
-	return steepest;
+	std::vector<char> isClear(edges.size());
+	workers.forEach(edges.size(), [&](int i) {
+		const float steepest = std::max(beside(edges[i]), beside(m.opposite[edges[i]]));
+		isClear[i] = steepest != none && steepest * clearRatio <= dihedralAngle(m, edges[i]);
+	});
+	return isClear;
 }
 
 } // namespace gpr

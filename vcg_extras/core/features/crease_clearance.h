@@ -19,33 +19,16 @@ float dihedralAngle(const HalfEdgeMesh& mesh, int h);
 bool isSharpEdge(const HalfEdgeMesh& mesh, int h, float cosine);
 
 /// Tells real crease edges from noise. A real crease is much sharper than the edges beside it; an
-/// edge of noise has neighbours nearly as sharp.
+/// edge of noise has neighbours nearly as sharp. Returns for each edge in `edges`, all marked as
+/// creases in the mesh, whether it is at least three times as sharp as every edge beside it,
+/// creases left out; 0 if all edges beside it are creases, as at the corner of a cube.
 ///
 /// If long edges were split, the edges beside a crease edge are the edges of its two input faces:
 /// new edges inside an input face are flat, and any noise would look clear beside flat edges.
-class CreaseClearance {
-public:
-	/// Prepares isClear for the edges in `edges`, all marked as creases in the mesh; more
-	/// half-edges do no harm. isSplit: whether faces are parts of input faces. Cost: nothing unless
-	/// isSplit, else a parallel pass over the faces.
-	CreaseClearance(const Surface& surface, bool isSplit, const std::vector<int>& edges,
-					Workers& workers);
-
-	/// Whether h is at least three times as sharp as every edge beside it, creases left out. False
-	/// if all edges beside h are creases, as at the corner of a cube.
-	bool isClear(int h) const;
-
-private:
-	const Surface&      surface_;
-	const HalfEdgeMesh& m_;
-	/// Per input face beside the given edges: the largest angle at its edges, creases left out.
-	/// Empty if nothing was split.
-	std::vector<float> steepest_;
-
-	void  findSteepest(const std::vector<int>& edges, Workers& workers);
-	bool  isBeside(int h, const std::vector<bool>& isAsked) const;
-	float steepestBeside(int h) const;
-};
+/// isSplit: whether faces are parts of input faces. Cost: the edges, and with isSplit a pass over
+/// the faces; parallel.
+std::vector<char> clearEdges(const Surface& surface, bool isSplit, const std::vector<int>& edges,
+							 Workers& workers);
 
 } // namespace gpr
 

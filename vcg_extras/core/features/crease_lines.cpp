@@ -56,8 +56,8 @@ public:
 			found.creaseNum = std::int64_t(edges_.size());
 			dropShortOnes();
 		}
-		found.coneApexes =
-			findConeApexes(); // before close lines go: their corners are no cone apexes
+		// Before close lines go: their corners are no cone apexes.
+		found.coneApexes = workers_.collectIf(m_.vertexNum, [&](int v) { return isConeApex(v); });
 		if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();
 		found.edgeNum        = std::int64_t(edges_.size());
 		found.spareDoublings = spareDoublings_;
@@ -75,25 +75,21 @@ private:
 
 	// ---- crease edges
 
-	/// The edges sharper than strongDeg, ascending. If every edge sought makes its vertices rough,
-	/// only rough vertices are visited; a degree is left for rounding.
+	/// The edges sharper than strongDeg, each by its smaller half-edge, ascending. If every edge
+	/// sought makes its vertices rough, only rough vertices are visited; a degree is left for
+	/// rounding.
 	std::vector<int> findSharpEdges() const
 	{
 		const float      cosine = float(portable::cos(double(rules_.strongDeg * radians)));
 		const bool       atAll  = rules_.strongDeg < roughDeg + 1;
 		std::vector<int> sharp  = workers_.collectEach<int>(m_.vertexNum, [&](int v, auto& out) {
-            if (atAll || surface_.normal[v].isRough()) addSharpEdges(v, cosine, out);
+            if (!atAll && !surface_.normal[v].isRough()) return;
+            forEachOutgoing(m_, v, [&](int h) {
+                if (m_.opposite[h] > h && isSharpEdge(m_, h, cosine)) out.push_back(h);
+            });
         });
 		std::sort(sharp.begin(), sharp.end());
 		return sharp;
-	}
-
-	/// Adds the edges found at v, each once, by its smaller half-edge.
-	void addSharpEdges(int v, float cosine, std::vector<int>& out) const
-	{
-		forEachOutgoing(m_, v, [&](int h) {
-			if (m_.opposite[h] > h && isSharpEdge(m_, h, cosine)) out.push_back(h);
-		});
 	}
 
 	void markAll(const std::vector<int>& edges)
@@ -125,14 +121,15 @@ private:
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
 		if (sharp.empty()) return false;
-		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
-		const auto            isClear = [&](int h) { return clearance.isClear(h); };
+		std::vector<char> isClear = clearEdges(surface_, isSplit(), sharp, workers_);
 		if (areNoise(sharp, isClear)) return true;
 		const float            least    = clearLength * meanEdge();
 		const std::vector<int> longOnes = edgesOfLines([&](const std::vector<int>& line) {
 			return line.size() >= clearEdgeNum || lengthOf(line) >= least;
 		});
-		return areNoise(sharp, [&](int h) { return placeIn(longOnes, h) >= 0 && isClear(h); });
+		for (std::size_t i = 0; i < sharp.size(); ++i)
+			isClear[i] = isClear[i] && placeIn(longOnes, sharp[i]) >= 0;
+		return areNoise(sharp, isClear);
 	}
 
 	/// The edges of the connected lines that pass a test, ascending.
@@ -158,14 +155,13 @@ private:
 	}
 
 	/// Whether too little of the length of some edges is clear of noise.
-	template <class IsClear>
-	bool areNoise(const std::vector<int>& edges, const IsClear& isClear) const
+	bool areNoise(const std::vector<int>& edges, const std::vector<char>& isClear) const
 	{
 		const auto   lengthOf = [&](int i) { return double(m_.edgeLength(edges[i])); };
 		const double all =
 			workers_.sumEach<double>(edges.size(), [&](int i, double& sum) { sum += lengthOf(i); });
 		const double clear = workers_.sumEach<double>(edges.size(), [&](int i, double& sum) {
-			if (isClear(edges[i])) sum += lengthOf(i);
+			if (isClear[i]) sum += lengthOf(i);
 		});
 		return clear < clearShare * all;
 	}
@@ -317,11 +313,6 @@ private:
 			sum -= angleBetween(a, b);
 		});
 		return sum;
-	}
-
-	std::vector<int> findConeApexes() const
-	{
-		return workers_.collectIf(m_.vertexNum, [&](int v) { return isConeApex(v); });
 	}
 
 	/// Cheap test passed by the apex of every cone with such a defect: the normals round it spread,
