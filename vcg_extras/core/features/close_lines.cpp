@@ -3,8 +3,8 @@
 #include "close_lines.h"
 
 #include "boundary_curves.h"
+#include "crease_clearance.h"
 
-#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/surface/surface_ray.h>
 
 #include <algorithm>
@@ -36,6 +36,14 @@ struct Crossing {
 	float distance; ///< divided by borderRatio beside a border
 };
 
+/// An edge of a curve.
+struct Segment {
+	int                   halfEdge;
+	int                   curve;
+	bool                  isKept;
+	std::vector<Crossing> crossings = {}; ///< from here
+};
+
 class CloseLines {
 public:
 	CloseLines(const Surface& surface, float gap, Workers& workers) :
@@ -51,8 +59,8 @@ public:
 	{
 		decideAll();
 		std::vector<int> close;
-		for (std::size_t s = 0; s < halfEdge_.size(); ++s) {
-			if (!isKept_[s]) close.push_back(std::min(halfEdge_[s], m_.opposite[halfEdge_[s]]));
+		for (const Segment& s : segment_) {
+			if (!s.isKept) close.push_back(std::min(s.halfEdge, m_.opposite[s.halfEdge]));
 		}
 		std::sort(close.begin(), close.end());
 		return close;
@@ -64,13 +72,10 @@ private:
 	float                        gap_;
 	Workers&                     workers_;
 	std::vector<Curve>           curves_;
+	std::vector<Segment>         segment_;   ///< curve by curve
 	std::vector<int>             first_;     ///< per curve: its first segment; one more at the end
-	std::vector<int>             halfEdge_;  ///< per segment
-	std::vector<int>             curve_;     ///< per segment
 	Buffer<int>                  segmentAt_; ///< per half-edge of a curve, for both halves
 	std::map<int, std::set<int>> curvesAt_;  ///< per vertex: curves with an end there
-	std::vector<std::vector<Crossing>> crossingsOf_; ///< per segment; each in both directions
-	std::vector<char>                  isKept_;      ///< per segment
 
 	/// Whether the curve goes on from a kept line, its strength, and minus the curve.
 	using Candidate = std::tuple<bool, float, int>;
@@ -81,34 +86,27 @@ private:
 	void numberSegments()
 	{
 		for (int c = 0; c < int(curves_.size()); ++c) {
-			first_.push_back(int(halfEdge_.size()));
-			for (int h : curves_[c].halfEdge)
-				addSegment(c, h);
+			first_.push_back(int(segment_.size()));
+			for (int h : curves_[c].halfEdge) {
+				segmentAt_[h] = int(segment_.size());
+				if (m_.opposite[h] >= 0) segmentAt_[m_.opposite[h]] = segmentAt_[h];
+				segment_.push_back({h, c, isBorder(c)});
+			}
 		}
-		first_.push_back(int(halfEdge_.size()));
-	}
-
-	void addSegment(int c, int h)
-	{
-		const int segment = int(halfEdge_.size());
-		halfEdge_.push_back(h);
-		curve_.push_back(c);
-		isKept_.push_back(isBorder(c));
-		segmentAt_[h] = segment;
-		if (m_.opposite[h] >= 0) segmentAt_[m_.opposite[h]] = segment;
+		first_.push_back(int(segment_.size()));
 	}
 
 	bool isBorder(int c) const { return m_.isBorderEdge(curves_[c].halfEdge[0]); }
 
 	Vec3f middle(int s) const
 	{
-		const int h = halfEdge_[s];
+		const int h = segment_[s].halfEdge;
 		return (m_.position[m_.origin[h]] + m_.position[m_.target(h)]) * 0.5f;
 	}
 
 	float gapAt(int s) const
 	{
-		return surface_.size.empty() ? gap_ : gap_ * surface_.size[m_.origin[halfEdge_[s]]];
+		return surface_.size.empty() ? gap_ : gap_ * surface_.size[m_.origin[segment_[s].halfEdge]];
 	}
 
 	void findNodes()
@@ -131,14 +129,13 @@ private:
 	void findCrossings()
 	{
 		const std::vector<Crossing> all =
-			workers_.collectEach<Crossing>(halfEdge_.size(), [&](int s, auto& out) {
-				for (int h : {halfEdge_[s], m_.opposite[halfEdge_[s]]})
+			workers_.collectEach<Crossing>(segment_.size(), [&](int s, auto& out) {
+				for (int h : {segment_[s].halfEdge, m_.opposite[segment_[s].halfEdge]})
 					if (h >= 0) cross(h, s, out);
 			});
-		crossingsOf_.resize(halfEdge_.size());
 		for (const Crossing& c : all) {
-			crossingsOf_[c.from].push_back(c);
-			crossingsOf_[c.to].push_back({c.to, c.from, c.distance});
+			segment_[c.from].crossings.push_back(c);
+			segment_[c.to].crossings.push_back({c.to, c.from, c.distance});
 		}
 	}
 
@@ -152,7 +149,7 @@ private:
 			met = true;
 			if (isSheetBetween(h, exit)) return;
 			const int  to       = segmentAt_[exit];
-			const bool atBorder = isBorder(curve_[segment]) || isBorder(curve_[to]);
+			const bool atBorder = isBorder(segment_[segment].curve) || isBorder(segment_[to].curve);
 			out.push_back({segment, to, atBorder ? at / borderRatio : at});
 		});
 	}
@@ -173,9 +170,8 @@ private:
 	{
 		float sum = 0;
 		for (int s = first_[c]; s < first_[c + 1]; ++s) {
-			const int   h = halfEdge_[s];
-			const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
-			sum += m_.edgeLength(h) * angleBetween(a, b);
+			const int h = segment_[s].halfEdge;
+			sum += m_.edgeLength(h) * dihedralAngle(m_, h);
 		}
 		return sum;
 	}
@@ -205,7 +201,7 @@ private:
 		const std::vector<int>& v    = curves_[c].vertex;
 		const std::vector<int>  ends = {v.front(), v.back()};
 		for (int k : {0, 1}) {
-			if (!isKept_[k == 0 ? first_[c] : first_[c + 1] - 1]) continue;
+			if (!segment_[k == 0 ? first_[c] : first_[c + 1] - 1].isKept) continue;
 			for (int d : curvesAt_[ends[k]]) {
 				if (!isBorder(d)) waiting_.push({true, strength(d), -d});
 			}
@@ -218,7 +214,7 @@ private:
 	{
 		const int begin = first_[c], end = first_[c + 1];
 		for (int s = begin; s < end; ++s)
-			isKept_[s] = distanceFromKept(s) > gapAt(s);
+			segment_[s].isKept = distanceFromKept(s) > gapAt(s);
 		for (int s = begin + 1; s < end; ++s)
 			leaveOut(s, s - 1);
 		for (int s = end - 2; s >= begin; --s)
@@ -228,15 +224,16 @@ private:
 	/// Drops s with its neighbour if the line beside has not moved away yet.
 	void leaveOut(int s, int neighbour)
 	{
-		if (isKept_[s] && !isKept_[neighbour] && distanceFromKept(s) <= leaveRatio * gapAt(s))
-			isKept_[s] = 0;
+		if (segment_[s].isKept && !segment_[neighbour].isKept &&
+			distanceFromKept(s) <= leaveRatio * gapAt(s))
+			segment_[s].isKept = false;
 	}
 
 	float distanceFromKept(int s) const
 	{
 		float nearest = HUGE_VALF;
-		for (const Crossing& c : crossingsOf_[s]) {
-			if (c.distance < nearest && isKept_[c.to] && !diverge(c)) nearest = c.distance;
+		for (const Crossing& c : segment_[s].crossings) {
+			if (c.distance < nearest && segment_[c.to].isKept && !diverge(c)) nearest = c.distance;
 		}
 		return nearest;
 	}
@@ -244,7 +241,7 @@ private:
 	/// Whether the lines at both ends of the crossing diverge from a common point.
 	bool diverge(const Crossing& x) const
 	{
-		const int c = curve_[x.from], d = curve_[x.to];
+		const int c = segment_[x.from].curve, d = segment_[x.to].curve;
 		if (c == d) return x.distance > minSlope * arcBetween(x);
 		if (curves_[c].isClosed) return false;
 		const std::vector<int>& v = curves_[c].vertex;
@@ -257,7 +254,7 @@ private:
 
 	float arcBetween(const Crossing& x) const
 	{
-		const int    c  = curve_[x.from];
+		const int    c  = segment_[x.from].curve;
 		const Curve& on = curves_[c];
 		return on.arcDistance(on.arc[x.from - first_[c]], on.arc[x.to - first_[c]]);
 	}
