@@ -28,7 +28,7 @@ struct Found {
 				   FeatureThresholds thresholds = FeatureThresholds()) :
 			surface(surfaceOf(mesh, workers))
 	{
-		float unit = meanEdgeLength(surface.mesh, workers);
+		float unit = meanEdgeLength(loaded(mesh, workers), workers);
 		if (support > 0) unit = float(support * surface.frame.scale / thresholds.support);
 		features = findFeatures(thresholds, unit, workers, surface);
 	}

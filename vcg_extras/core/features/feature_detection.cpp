@@ -33,18 +33,6 @@ constexpr float cornerShare   = 0.7f;
 /// A gap is bridged along edges that turn by at most 60°.
 constexpr float bridgeCosine = 0.5f;
 
-/// Mean length of the sides of all faces.
-float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
-					 Workers& workers)
-{
-	const double sum = workers.sumEach<double>(faceNum, [&](int f, double& part) {
-		const Vec3f a = position[corner[3 * f]], b = position[corner[3 * f + 1]];
-		const Vec3f c = position[corner[3 * f + 2]];
-		part += double(length(b - a)) + double(length(c - b)) + double(length(a - c));
-	});
-	return faceNum > 0 ? float(sum / (3.0 * faceNum)) : 0;
-}
-
 /// A detection. Its parts are written in the order in which they run.
 class Detection {
 public:
@@ -345,39 +333,32 @@ private:
 
 	Vec3f chordFrom(int first, float reach) const
 	{
-		Vec3f end;
-		followLine(first, reach, [&](int w) {
-			end = m_.position[w];
-			return true;
-		});
-		return end - m_.position[m_.origin[first]];
+		return m_.position[lineFrom(first, reach).back()] - m_.position[m_.origin[first]];
 	}
 
-	/// Calls visit(vertex) along a line up to the first vertex `reach` away, or until visit returns
-	/// false.
-	template <class Visit>
-	void followLine(int first, float reach, const Visit& visit) const
+	/// The vertices of a line up to the first vertex `reach` away, without the first one.
+	std::vector<int> lineFrom(int first, float reach) const
 	{
-		float distance = 0;
+		std::vector<int> line;
+		float            distance = 0;
 		for (int h = first; h >= 0; h = nextOnLine(h)) {
 			distance += m_.edgeLength(h);
-			if (!visit(m_.target(h))) return;
-			if (distance >= reach || m_.target(h) == m_.origin[first]) return;
+			line.push_back(m_.target(h));
+			if (distance >= reach || m_.target(h) == m_.origin[first]) break;
 		}
+		return line;
 	}
 
 	bool isCorner(int v, const Buffer<float>& turn) const
 	{
 		if (m_.creaseNum(v) != 2) return true;
 		if (turn[v] < cornerTurnDeg) return false;
-		bool       sharpest = true;
-		const auto compare  = [&](int w) {
-            if (turn[w] > turn[v] || (turn[w] == turn[v] && w < v)) sharpest = false;
-            return sharpest;
-		};
-		for (int first : markedPairAt(v))
-			followLine(first, out_.support, compare);
-		return sharpest;
+		for (int first : markedPairAt(v)) {
+			for (int w : lineFrom(first, out_.support)) {
+				if (turn[w] > turn[v] || (turn[w] == turn[v] && w < v)) return false;
+			}
+		}
+		return true;
 	}
 
 	// ---- cone apexes
@@ -448,14 +429,14 @@ private:
 
 } // namespace
 
-float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers)
-{
-	return meanSideLength(mesh.position, mesh.origin, mesh.faceNum, workers);
-}
-
 float meanEdgeLength(const IndexedMesh& mesh, Workers& workers)
 {
-	return meanSideLength(mesh.position, mesh.triangle, mesh.faceNum, workers);
+	const double sum = workers.sumEach<double>(mesh.faceNum, [&](int f, double& part) {
+		const int*  t = &mesh.triangle[3 * f];
+		const Vec3f a = mesh.position[t[0]], b = mesh.position[t[1]], c = mesh.position[t[2]];
+		part += double(length(b - a)) + double(length(c - b)) + double(length(a - c));
+	});
+	return mesh.faceNum > 0 ? float(sum / (3.0 * mesh.faceNum)) : 0;
 }
 
 FeatureEdges findFeatures(const FeatureThresholds& thresholds, float meanEdge, Workers& workers,

@@ -25,7 +25,6 @@ struct FeatureEdges {
 };
 
 /// Mean length of the sides of all faces, working units.
-float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers);
 float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 
 /// Finds creases and cone apexes, and marks the edges of the creases in surface.mesh.crease, by a
