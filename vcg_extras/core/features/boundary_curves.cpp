@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <set>
@@ -61,22 +60,20 @@ Curve traceFrom(const HalfEdgeMesh& m, int first, std::vector<bool>& seen)
 	return c;
 }
 
-/// The vertices of feature lines, ascending. Edges of lines are few: one memchr pass over the
-/// marks, at the speed of memory, finds them without reading the rings of other vertices.
+/// The vertices of feature lines, ascending. Edges of lines are few: a pass over the marks does not
+/// read the rings of other vertices.
 std::vector<int> creaseVertices(const HalfEdgeMesh& m)
 {
-	std::vector<int>  vertices;
-	const char* const begin = m.crease.data();
-	const char* const end   = begin + m.crease.size();
-	const char*       at    = begin;
-	while (at < end && (at = static_cast<const char*>(std::memchr(at, 1, end - at))) != nullptr)
-		vertices.push_back(m.origin[at++ - begin]);
+	std::vector<int> vertices;
+	for (std::size_t h = 0; h < m.crease.size(); ++h) {
+		if (m.crease[h] != 0) vertices.push_back(m.origin[h]);
+	}
 	sortUnique(vertices);
 	return vertices;
 }
 
-/// Angle between the chords to the points `window` before and behind, per point. The angle at the
-/// vertex itself says nothing on the zigzag rims of range maps.
+/// Angle between the chords to the points `window` before and behind, per point; 0 at the ends of
+/// an open curve. The angle at the vertex itself says nothing on the zigzag rims of range maps.
 std::vector<float> turnsOver(const Curve& c, float window)
 {
 	std::vector<float> turn(c.pointNum());
@@ -128,8 +125,7 @@ std::vector<char> findTurns(const Curve& c, float window)
 {
 	const std::vector<float> turn = turnsOver(c, window);
 	std::vector<char>        turns(c.pointNum(), 0);
-	const int                skip = c.isClosed ? 0 : 1;
-	for (int i = skip; i < c.pointNum() - skip; ++i)
+	for (int i = 0; i < c.pointNum(); ++i)
 		turns[i] = turn[i] > cornerTurn && isLargestTurn(c, turn, i, window);
 	return turns;
 }
@@ -196,12 +192,8 @@ int minPieces(const Curve& c, const ChainEnds& chainEnds)
 	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
 }
 
-/// A sample with its arc on the curve at hand.
-struct Mark {
-	float arc;
-	int   sample;
-	bool  operator<(const Mark& o) const { return arc != o.arc ? arc < o.arc : sample < o.sample; }
-};
+/// The arc of a sample on the curve at hand, and the sample.
+using Mark = std::pair<float, int>;
 
 /// The stops of a curve, from the first to the last or once round, and the arcs of the samples
 /// between each stop and the next.
@@ -219,9 +211,8 @@ public:
 				 Workers& workers) :
 			m_(mesh),
 			out_(out), workers_(workers), border_(border), diskRadius_(diskRadius),
-			wantedChord_(spacing)
+			wantedChord_(spacing), isKept_(std::size_t(mesh.vertexNum), 0)
 	{
-		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
 		for (int v : kept)
 			isKept_[v] = 1;
 	}
@@ -278,12 +269,11 @@ public:
 	/// Adds vertex v, on no curve, as a sample.
 	void addPoint(int v)
 	{
-		CurveSample sample;
-		sample.isCorner = true;
-		sample.isPinned = isKept(v);
-		sample.point    = {m_.position[v], m_.outgoing[v] / 3};
-		sample.vertex   = v;
-		out_.samples.push_back(sample);
+		CurveSample& sample = out_.samples.emplace_back();
+		sample.isCorner     = true;
+		sample.isPinned     = isKept(v);
+		sample.point        = {m_.position[v], m_.outgoing[v] / 3};
+		sample.vertex       = v;
 	}
 
 private:
@@ -297,21 +287,17 @@ private:
 	std::size_t                    firstSample_ = 0; ///< of the curve at hand
 	std::vector<SpacedStops>       spaced_;          ///< per curve; empty if sampled in another way
 	std::map<int, int>             sampleOfNode_;
-	std::vector<char>              isKept_; ///< per vertex; empty: none
+	std::vector<char>              isKept_; ///< per vertex
 	std::unique_ptr<SharedBorders> shared_; ///< or null
 
-	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
+	bool isKept(int v) const { return isKept_[v]; }
 	bool isStop(int v) const { return isCreaseNode(m_, v) || isKept(v) || leavesMirror(m_, v); }
 	/// Whether the curve is too short for three samples.
 	bool isTooShort(const Curve& c) const
 	{
 		return c.pointNum() <= 3 || c.length < 1.8f * wantedChord_ * c.smallestSize();
 	}
-	bool           isOfBorder(const Curve& c) const { return m_.isBorderEdge(c.halfEdge[0]); }
-	std::ptrdiff_t keptOn(const Curve& c) const
-	{
-		return std::count_if(c.vertex.begin(), c.vertex.end(), [&](int v) { return isKept(v); });
-	}
+	bool isOfBorder(const Curve& c) const { return m_.isBorderEdge(c.halfEdge[0]); }
 
 	/// The arc length on either side of a point over which turns are measured.
 	float windowOf(const Curve& c) const
@@ -321,7 +307,9 @@ private:
 
 	bool keepsAll(const Curve& loop) const
 	{
-		return border_ == BoundaryMode::Keep && isOfBorder(loop) && keptOn(loop) >= 3;
+		const auto isKeptVertex = [&](int v) { return isKept(v); };
+		return border_ == BoundaryMode::Keep && isOfBorder(loop) &&
+			   std::count_if(loop.vertex.begin(), loop.vertex.end(), isKeptVertex) >= 3;
 	}
 	bool isShared(int loop) const { return shared_ != nullptr && shared_->isAnyShared(loop); }
 
@@ -384,14 +372,14 @@ private:
 		}
 	}
 
-	void put(const Curve& c, float s, bool isCorner)
+	CurveSample& put(const Curve& c, float s, bool isCorner)
 	{
-		CurveSample sample;
-		sample.arc      = c.wrap(s);
-		sample.curve    = index_;
-		sample.isCorner = isCorner;
-		sample.point    = {c.at(sample.arc), c.faceAt(sample.arc)};
-		out_.samples.push_back(sample);
+		CurveSample& sample = out_.samples.emplace_back();
+		sample.arc          = c.wrap(s);
+		sample.curve        = index_;
+		sample.isCorner     = isCorner;
+		sample.point        = {c.at(sample.arc), c.faceAt(sample.arc)};
+		return sample;
 	}
 
 	void putAll(const Curve& c, const std::vector<float>& arcs)
@@ -402,14 +390,13 @@ private:
 
 	int nodeSample(int v, const Curve& c, float s)
 	{
-		const auto found = sampleOfNode_.find(v);
-		if (found != sampleOfNode_.end()) return found->second;
-		put(c, s, true);
-		const int sample              = int(out_.samples.size()) - 1;
-		out_.samples[sample].vertex   = v;
-		out_.samples[sample].isPinned = isKept(v);
-		sampleOfNode_[v]              = sample;
-		return sample;
+		const auto [found, isNew] = sampleOfNode_.insert({v, int(out_.samples.size())});
+		if (isNew) {
+			CurveSample& sample = put(c, s, true);
+			sample.vertex       = v;
+			sample.isPinned     = isKept(v);
+		}
+		return found->second;
 	}
 
 	/// Makes samples of the kept vertices only.
@@ -527,9 +514,9 @@ private:
 			const int from = stops[k];
 			const int to   = k + 1 < stops.size() ? stops[k + 1] : stops[0] + c.pointNum();
 			workers_.poll();
-			put(c, c.arc[from], true);
-			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
-			out_.samples.back().point.position = c.point[from];
+			CurveSample& stop   = put(c, c.arc[from], true);
+			stop.isShared       = shared_->isOnShared(index_, from);
+			stop.point.position = c.point[from];
 			if (!shared_->isShared(index_, from))
 				putAll(c, spaceOut(c, c.arcOf(from), c.arcOf(to), wantedChord_, 1));
 			else if (shared_->isSampled(index_, from))
@@ -543,12 +530,11 @@ private:
 	void sampleShared(const Curve& c, int from, int to)
 	{
 		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wantedChord_, 1)) {
-			const int   segment = c.segmentAt(s);
-			const float extent  = c.lengthOf(segment);
-			put(c, s, true);
-			CurveSample& sample = out_.samples.back();
-			sample.isShared     = true;
-			const float along   = extent > 0 ? (sample.arc - c.arc[segment]) / extent : 0.0f;
+			const int    segment = c.segmentAt(s);
+			const float  extent  = c.lengthOf(segment);
+			CurveSample& sample  = put(c, s, true);
+			sample.isShared      = true;
+			const float along    = extent > 0 ? (sample.arc - c.arc[segment]) / extent : 0.0f;
 			shared_->addSample(index_, segment, std::min(1.0f, std::max(0.0f, along)),
 							   sample.point.position);
 		}
@@ -564,8 +550,7 @@ private:
 			const int   segment = i % c.pointNum();
 			const float extent  = c.lengthOf(segment);
 			shared_->forEachSample(index_, segment, [&](float share, const Vec3f& position) {
-				put(c, c.arc[segment] + share * extent, true);
-				CurveSample& sample   = out_.samples.back();
+				CurveSample& sample   = put(c, c.arc[segment] + share * extent, true);
 				sample.isShared       = true;
 				sample.point.position = position;
 				sample.point.face     = c.halfEdge[segment] / 3;
@@ -580,7 +565,8 @@ private:
 		const int  n     = int(marks.size());
 		const int  high  = int(above - marks.begin());
 		const int  next = high % n, last = (high + n - 1) % n;
-		return c.arcDistance(marks[next].arc, s) < c.arcDistance(marks[last].arc, s) ? next : last;
+		return c.arcDistance(marks[next].first, s) < c.arcDistance(marks[last].first, s) ? next
+																						 : last;
 	}
 
 	/// Assigns to every point of the curve its nearest sample, and to every sample the nearest of
@@ -593,10 +579,11 @@ private:
 		std::vector<int>   owner(c.pointNum());
 		std::vector<float> distance(marks.size(), HUGE_VALF);
 		for (int i = 0; i < c.pointNum(); ++i) {
-			const int    k      = nearestMark(c, marks, c.arc[i]);
-			CurveSample& sample = out_.samples[marks[k].sample];
-			owner[i]            = marks[k].sample;
-			const float d       = c.arcDistance(marks[k].arc, c.arc[i]);
+			const int k            = nearestMark(c, marks, c.arc[i]);
+			const auto& [arc, own] = marks[k];
+			CurveSample& sample    = out_.samples[own];
+			const float  d         = c.arcDistance(arc, c.arc[i]);
+			owner[i]               = own;
 			if (d >= distance[k] || sampleOfNode_.count(sample.vertex) != 0) continue;
 			distance[k]     = d;
 			sample.vertex   = c.vertex[i];
@@ -623,13 +610,6 @@ std::vector<int> lineAt(const HalfEdgeMesh& m, int v, std::vector<char>& seen)
 		});
 	}
 	return line;
-}
-
-void addSizes(const Surface& surface, Curve& c)
-{
-	if (surface.size.empty()) return;
-	for (int v : c.vertex)
-		c.size.push_back(surface.size[v]);
 }
 
 } // namespace
@@ -692,10 +672,11 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 	BoundaryCurves      result;
 	result.curves = traceCurves(m, workers);
 
-	workers.poll();
 	for (Curve& c : result.curves) {
 		workers.poll();
-		addSizes(surface, c);
+		if (surface.size.empty()) continue;
+		for (int v : c.vertex)
+			c.size.push_back(surface.size[v]);
 	}
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result, workers);
 	if (border == BoundaryMode::Smooth) sampler.smoothBorders(sharesBorders);

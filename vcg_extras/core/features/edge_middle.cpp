@@ -71,8 +71,7 @@ bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
 	const HalfEdgeMesh& m          = result.mesh;
 	const bool          fromCrease = m.isCreaseVertex(a), toCrease = m.isCreaseVertex(b);
 	if (fromCrease && toCrease) return findMiddleFromCrease(surface, result, a, b, middle);
-	if (fromCrease) return walkHalfway(surface, m, b, a, result.vertex[b].point, middle);
-	if (walkHalfway(surface, m, a, b, result.vertex[a].point, middle)) return true;
+	if (!fromCrease && walkHalfway(surface, m, a, b, result.vertex[a].point, middle)) return true;
 	return !toCrease && walkHalfway(surface, m, b, a, result.vertex[b].point, middle);
 }
 
