@@ -29,38 +29,19 @@ namespace {
 
 constexpr std::size_t cacheLine = 64;
 
-std::size_t roundUp(std::size_t n, std::size_t step)
-{
-	return (n + step - 1) / step * step;
-}
-
 #if defined(__linux__)
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-File openTable(const char* path)
+/// The number after a word at the begin of a line in a table of the system; 0 if there is none.
+std::int64_t numberInTable(const char* path, const char* name)
 {
-	return File(std::fopen(path, "r"),
-				[](std::FILE* f) { return f != nullptr ? std::fclose(f) : 0; });
-}
-
-/// The number after a word in a table of the system, in bytes; 0 if the word is not in the table.
-std::int64_t bytesInTable(const char* path, const char* name)
-{
-	const File table = openTable(path);
-	char       line[256];
+	const std::unique_ptr<std::FILE, int (*)(std::FILE*)> table(
+		std::fopen(path, "r"), [](std::FILE* f) { return std::fclose(f); });
+	char line[256];
 	while (table && std::fgets(line, sizeof line, table.get()) != nullptr) {
 		const std::size_t length = std::strlen(name);
-		if (std::strncmp(line, name, length) == 0) return 1024 * std::atoll(line + length);
+		if (std::strncmp(line, name, length) == 0) return std::atoll(line + length);
 	}
 	return 0;
-}
-
-std::int64_t numberInFile(const char* path)
-{
-	const File file   = openTable(path);
-	long long  number = 0;
-	return file && std::fscanf(file.get(), "%lld", &number) == 1 ? number : 0;
 }
 
 /// The bytes left below a limit, at most `most`; without a limit `most`.
@@ -83,12 +64,15 @@ std::int64_t addressSpaceLimit()
 std::int64_t availableMemoryBytes()
 {
 #if defined(__linux__)
-	std::int64_t bytes = bytesInTable("/proc/meminfo", "MemAvailable:");
+	constexpr std::int64_t kilobyte = 1024; // the unit of these tables
+	const auto             used     = [](const char* name) {
+        return kilobyte * numberInTable("/proc/self/status", name);
+	};
+	std::int64_t bytes = kilobyte * numberInTable("/proc/meminfo", "MemAvailable:");
 	if (bytes == 0) return 0;
-	const char* const self = "/proc/self/status";
 	// The limits of a container and of the shell.
-	bytes = leftOf(numberInFile("/sys/fs/cgroup/memory.max"), bytesInTable(self, "VmRSS:"), bytes);
-	return leftOf(addressSpaceLimit(), bytesInTable(self, "VmSize:"), bytes);
+	bytes = leftOf(numberInTable("/sys/fs/cgroup/memory.max", ""), used("VmRSS:"), bytes);
+	return leftOf(addressSpaceLimit(), used("VmSize:"), bytes);
 #elif defined(_WIN32)
 	MEMORYSTATUSEX status;
 	status.dwLength = sizeof status;
@@ -164,7 +148,7 @@ void* allocatePages(std::size_t bytes)
 #if defined(__linux__)
 	if (isForPool(bytes)) return pool().take(bytes);
 #endif
-	const std::size_t rounded = roundUp(bytes + 1, cacheLine);
+	const std::size_t rounded = (bytes / cacheLine + 1) * cacheLine;
 #if defined(_WIN32)
 	void* memory = _aligned_malloc(rounded, cacheLine);
 #else

@@ -36,12 +36,6 @@ void pause()
 #endif
 }
 
-int coreNum()
-{
-	const unsigned n = std::thread::hardware_concurrency();
-	return n == 0 ? 1 : int(n);
-}
-
 } // namespace
 
 struct Workers::Pool {
@@ -155,8 +149,8 @@ Workers::Workers(int threads, ProgressCallback progress, double timeLimitSeconds
 				 const StopRequest* stop) :
 		pool_(new Pool)
 {
-	const int n        = threads > 0 ? threads : coreNum();
-	pool_->progress    = std::move(progress);
+	const int n     = threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
+	pool_->progress = std::move(progress);
 	pool_->isLimited   = timeLimitSeconds > 0;
 	pool_->stopRequest = stop;
 	pool_->deadline    = pool_->lastPoll + std::chrono::duration_cast<Clock::duration>(
