@@ -72,7 +72,7 @@ struct Terms {
 	{
 		if (x != 0) term[num++] = x;
 	}
-	/// Adds ab·c. ab must be exact: a product of two floats, or of two short differences.
+	/// Adds ab·c. ab must be exact: a product of two floats.
 	void addProduct(double ab, double c)
 	{
 		const ExactPair p = exactProduct(ab, c);
@@ -91,28 +91,6 @@ struct Terms {
 	}
 	int sign() const { return signOfSum(term, num); }
 };
-
-/// Whether a - b is exact in the upper half of a double. Products of two such differences are then
-/// exact.
-bool isShortDifference(double a, double b)
-{
-	const double difference = a - b;
-	return exactSum(a, -b).low == 0 && upperHalf(difference) == difference;
-}
-
-bool areShortDifferences(const Vec3d& a, const Vec3d& b)
-{
-	return isShortDifference(a.x, b.x) && isShortDifference(a.y, b.y) &&
-		   isShortDifference(a.z, b.z);
-}
-
-/// The sign of the determinant of three rows; the entries must fit in the upper half of a double.
-int signOfDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c)
-{
-	Terms t;
-	t.addDeterminant(a, b, c, 1);
-	return t.sign();
-}
 
 /// The orientation of any float points, without differences.
 int exactOrientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
@@ -139,9 +117,7 @@ int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
 	constexpr double rounding = 1e-15; // (7 + 56ε) ε with Shewchuk's ε = 2^-53, and more
 	if (std::abs(volume) > rounding * magnitude) return signOf(volume);
 	if (magnitude == 0) return 0;
-	const bool isShort = areShortDifferences(Vec3d(b), o) && areShortDifferences(Vec3d(c), o) &&
-						 areShortDifferences(Vec3d(d), o);
-	return isShort ? signOfDeterminant(u, v, w) : exactOrientation(o, Vec3d(b), Vec3d(c), Vec3d(d));
+	return exactOrientation(o, Vec3d(b), Vec3d(c), Vec3d(d));
 }
 
 int orientation(const Vec2f& a, const Vec2f& b, const Vec2f& c)
