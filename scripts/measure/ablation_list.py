@@ -80,7 +80,7 @@ ABLATIONS = [
      "if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();", ""),
     ("lines", "lines grow from their ends", "features/crease_lines.cpp", "\t\t\tgrowFromEnds(sharp);\n", ""),
     ("lines", "release of crowded lines", "run/result_stages.cpp",
-     "return {mayRelease && areLinesCrowded(run, made.result)};", "return {false};"),
+     "return {mayRelease && areLinesCrowded(minAngle, made.result, run.workers)};", "return {false};"),
     ("sizes", "splitting for small sizes", "run/input_stages.cpp",
      "if (tooLong.faces.empty()) return false;", "return false;"),
 ]

@@ -90,20 +90,12 @@ void relaxPlainly(RunContext& run, Products& made)
 		run.tellCap("changes for small angles");
 }
 
-void makeRegular(RunContext& run, Products& made)
-{
-	relaxAndGlide(run, made.surface, made.curves, made.result);
-	relaxConformally(made.surface, made.curves, 2 * relaxationSteps, made.result, run.workers);
-}
-
 void relax(RunContext& run, Products& made)
 {
-	if (isPaper(run.options))
-		smoothAsWritten(run, made);
-	else if (run.options.preset == Preset::Default)
-		makeRegular(run, made);
-	else
-		relaxPlainly(run, made);
+	if (isPaper(run.options)) return smoothAsWritten(run, made);
+	if (run.options.preset != Preset::Default) return relaxPlainly(run, made);
+	relaxAndGlide(run, made.surface, made.curves, made.result);
+	relaxConformally(made.surface, made.curves, 2 * relaxationSteps, made.result, run.workers);
 }
 
 // ---- Fit and angles.
@@ -114,11 +106,6 @@ bool mayReleaseLines(const RunContext& run)
 {
 	return run.options.preset == Preset::Default && isFitted(run.options) &&
 		   !hasGivenLines(run.input) && run.options.featureMode != FeatureMode::Lines;
-}
-
-bool areLinesCrowded(RunContext& run, const ResultMesh& result)
-{
-	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
 /// Whether a mesh with released lines is too far from the input, by root mean square or at most:
@@ -157,13 +144,6 @@ void fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (outcome.capped) run.tellCap("moves of the fit");
 	made.poor.largestGap = outcome.largestGap;
 	made.poor.map        = std::move(outcome.map);
-}
-
-/// The largest distance of faces from the surface while angles are raised after a release.
-float maxGapAfterRelease(const Products& made)
-{
-	const float most = maxReleasedGap * made.result.idealEdge;
-	return made.poor.largestGap > 0 ? std::min(most, made.poor.largestGap) : most;
 }
 
 void raiseAngles(RunContext& run, Products& made)
@@ -303,14 +283,16 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.releasedNum      = 0;
-	made.refined          = GoalOutcome::Open;
-	const bool mayRelease = mayReleaseLines(run) && areLinesCrowded(run, made.result);
+	made.releasedNum     = 0;
+	made.refined         = GoalOutcome::Open;
+	const float minAngle = minAngleDeg(run.options);
+	const bool  mayRelease =
+		mayReleaseLines(run) && areLinesCrowded(minAngle, made.result, run.workers);
 	if (mayRelease)
 		made.beforeFit = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
 	fit(run, decisions, made);
 	raiseAngles(run, made);
-	return {mayRelease && areLinesCrowded(run, made.result)};
+	return {mayRelease && areLinesCrowded(minAngle, made.result, run.workers)};
 }
 
 void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
@@ -328,7 +310,8 @@ void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& m
 	}
 	run.tell("Some feature lines are too close to each other for good angles; " +
 			 std::to_string(made.releasedNum) + " of their vertices may leave the lines.");
-	made.poor.maxGap = maxGapAfterRelease(made);
+	const float most = maxReleasedGap * made.result.idealEdge;
+	made.poor.maxGap = made.poor.largestGap > 0 ? std::min(most, made.poor.largestGap) : most;
 	raiseAngles(run, made);
 }
 
