@@ -103,26 +103,14 @@ bool takeConnected(RunContext& run, Sewing sewing, InputCache::OfSewing& kept,
 
 } // namespace
 
-InputCache::OfSewing& InputCache::of(const RemeshOptions& options, Sewing sewing)
+void InputCache::fitTo(const RemeshOptions& wanted)
 {
-	fitTo(options);
-	return of_[std::size_t(sewing)];
-}
 
-std::optional<DetectedRegion>& InputCache::region(const RemeshOptions& options)
-{
-	fitTo(options);
-	if (region_ && !areSame(region_->thresholds, options.featureThresholds)) region_.reset();
-	return region_;
-}
-
-void InputCache::fitTo(const RemeshOptions& options)
-{
-	const auto wanted = std::make_tuple(options.sew, options.dropComponentsBelow,
-										keepsJunctions(options), keepsRegionVertices(options));
-	if (wanted == options_) return;
-	*this    = InputCache();
-	options_ = wanted;
+	const auto ofCleaning = std::make_tuple(wanted.sew, wanted.dropComponentsBelow,
+											keepsJunctions(wanted), keepsRegionVertices(wanted));
+	if (ofCleaning == options) return;
+	*this   = InputCache();
+	options = ofCleaning;
 }
 
 FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
@@ -152,8 +140,8 @@ void findRegion(RunContext& run, InputCache* cache, Products& made)
 	made.regionMarks.clear();
 	if (run.options.featureRegion != FeatureRegion::Detected) return;
 	InputCache                     own;
-	std::optional<DetectedRegion>& kept = (cache != nullptr ? *cache : own).region(run.options);
-	if (!kept) {
+	std::optional<DetectedRegion>& kept = (cache != nullptr ? *cache : own).region;
+	if (!kept || !areSame(kept->thresholds, run.options.featureThresholds)) {
 		const std::size_t notes = run.notes.size(), caps = run.capsReached.size();
 		DetectedRegion    found{run.options.featureThresholds, detectRegion(run), {}, {}};
 		found.notes.assign(run.notes.begin() + std::ptrdiff_t(notes), run.notes.end());
@@ -171,7 +159,7 @@ InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* ca
 {
 	const Sewing          sewing = sewingFor(run.options, decisions.sewing);
 	InputCache            own;
-	InputCache::OfSewing& kept = (cache != nullptr ? *cache : own).of(run.options, sewing);
+	InputCache::OfSewing& kept = (cache != nullptr ? *cache : own).of(sewing);
 	if (!kept.cleaned) kept.cleaned = clean(run, sewing, made.surface.cleaned);
 	made.input           = kept.cleaned;
 	made.surface.cleaned = made.input->counts;
@@ -195,7 +183,7 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 				  availableMemoryBytes());
 	bool isConnected = false;
 	if (tooLong.faces.empty() && cache != nullptr) {
-		isConnected = takeConnected(run, sewing, cache->of(run.options, sewing), surface);
+		isConnected = takeConnected(run, sewing, cache->of(sewing), surface);
 	}
 	else {
 		IndexedMesh mesh = takeMesh(run, made.input);
@@ -225,10 +213,11 @@ bool splitForSizes(RunContext& run, float radius, bool areSizesByError, std::int
 
 void fillCache(RunContext& run, InputCache& cache, Products& made)
 {
+	cache.fitTo(run.options);
 	findRegion(run, &cache, made);
 	for (Sewing wanted : {Sewing::NotYet, Sewing::First}) {
 		const Sewing          sewing = sewingFor(run.options, wanted);
-		InputCache::OfSewing& kept   = cache.of(run.options, sewing);
+		InputCache::OfSewing& kept   = cache.of(sewing);
 		if (!kept.cleaned) kept.cleaned = clean(run, sewing, made.surface.cleaned);
 		if (takeConnected(run, sewing, kept, made.surface)) break;
 	}

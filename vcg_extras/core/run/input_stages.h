@@ -36,25 +36,20 @@ struct DetectedRegion {
 /// The products that all runs on one input share, whatever the counts, sizes, presets and seeds. A
 /// run takes products from the cache, and stores new products. The cache
 /// holds complete products only.
-class InputCache {
-public:
+struct InputCache {
 	struct OfSewing {
 		std::shared_ptr<CleanedInput> cleaned;
 		std::optional<ConnectedInput> connected;
 	};
 
-	/// The products for these options. Products for other options are dropped.
-	OfSewing& of(const RemeshOptions& options, Sewing sewing);
-	/// The feature region for these options.
-	std::optional<DetectedRegion>& region(const RemeshOptions& options);
-
-private:
+	std::array<OfSewing, 3>       ofSewing; ///< by Sewing
+	std::optional<DetectedRegion> region;
 	/// The options for the cleaning of the input: see fitTo().
-	std::tuple<bool, std::int64_t, bool, bool> options_;
-	std::array<OfSewing, 3>                    of_; ///< by Sewing
-	std::optional<DetectedRegion>              region_;
+	std::tuple<bool, std::int64_t, bool, bool> options;
 
-	void fitTo(const RemeshOptions& options);
+	/// Drops products for other options. For use at the begin of a run with the cache.
+	void      fitTo(const RemeshOptions& wanted);
+	OfSewing& of(Sewing sewing) { return ofSewing[std::size_t(sewing)]; }
 };
 
 // A null cache means that no other run uses the input. Then the run consumes the input, and needs

@@ -19,16 +19,11 @@ namespace gpr {
 
 namespace {
 
-void requireValid(const RemeshOptions& options)
-{
-	const std::vector<std::string> complaints = validate(options);
-	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
-}
-
 /// The options of the user with all defaults resolved.
 RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions options)
 {
-	requireValid(options);
+	const std::vector<std::string> complaints = validate(options);
+	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
 	resolveFeatureRegion(input.anySelected(), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
 	const bool hasSizes = input.wantedEdge != nullptr;
@@ -105,6 +100,7 @@ Remeshing::Remeshing(const Call& call, Pipeline pipeline, const Request& request
 		start_(call.start)
 {
 	if (cache_ == nullptr && request.goal) cache_ = &ownCache_;
+	if (cache_ != nullptr) cache_->fitTo(setup_.options);
 }
 
 void Remeshing::takeStep()
@@ -146,11 +142,11 @@ void Remeshing::takeStep()
 	if (plan_.next() <= step && !plan_.beginsRun()) made_.dropFrom(plan_.next());
 }
 
-Told Remeshing::told()
+Outcome Remeshing::told()
 {
 	if (refused_) return *refused_;
-	Told told = isDone() ? bestTold_ : tellOf(setup_.run, made_, plan_.decisions());
-	if (runNum_ > 1) told.addOtherRuns(start_);
+	Outcome told = isDone() ? bestTold_ : tellOf(setup_.run, made_, plan_.decisions());
+	if (runNum_ > 1) addOtherRuns(start_, told);
 	return told;
 }
 
@@ -188,7 +184,7 @@ void Remeshing::exportAll()
 	else
 		facts = exportMesh(setup_.run, made_, result);
 	if (given != nullptr) nameSamples(*given, made_.samples.given.isMoved, made_.result, result);
-	Told told = tellOf(setup_.run, made_, plan_.decisions());
+	Outcome told = tellOf(setup_.run, made_, plan_.decisions());
 	if (given != nullptr) told.report.targetVertexNum = facts.vertexNum;
 	plan_.judge(facts);
 	if (!plan_.isBest()) return;
@@ -255,24 +251,23 @@ void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, Remesh
 
 void detectOnly(const Call& call, FeatureResult& out)
 {
-	PlainRun           plain(call, Pipeline::Detection);
+	Setup              plain(call, Pipeline::Detection);
 	const TellAtEnd    teller{plain, out};
-	RunContext&        run   = plain.setup.run;
-	Products&          made  = plain.made;
-	const FeatureEdges found = detectOnInput(run, made.surface);
-	countInput(run, made.surface);
-	run.clock.enter(Stage::Export);
-	exportFeatures(call.input, made.surface, found, out);
+	WorkingSurface&    surface = plain.made.surface;
+	const FeatureEdges found   = detectOnInput(plain.run, surface);
+	countInput(plain.run, surface);
+	plain.run.clock.enter(Stage::Export);
+	exportFeatures(call.input, surface, found, out);
 }
 
 void prepareInput(const Call& call, RemeshResult& out)
 {
 	// Without detection, the cached stages take about a fifth of the work of a run.
 	const bool      detects = call.options.featureRegion == FeatureRegion::Detected;
-	PlainRun        plain(call, Pipeline::Remeshing);
+	Setup           plain(call, Pipeline::Remeshing);
 	const TellAtEnd teller{plain, out};
-	plain.setup.run.clock.restart({0, detects ? 1.0 : 5.0});
-	fillCache(plain.setup.run, *call.cache, plain.made);
+	plain.run.clock.restart({0, detects ? 1.0 : 5.0});
+	fillCache(plain.run, *call.cache, plain.made);
 }
 
 } // namespace gpr

@@ -43,22 +43,16 @@ struct Call {
 	RemeshOptions optionsForMesh(std::size_t vertexNum) const;
 };
 
-/// The common parts of all pipelines: options in force, threads and run context.
+/// The common parts of all pipelines: options in force, threads, run context and products.
 struct Setup {
 	const RemeshOptions options;
 	Workers             workers;
 	RunContext          run;
+	Products            made;
 
 	Setup(const Call& call, Pipeline pipeline);
-};
-
-/// A pipeline without a plan: the setup and the products.
-struct PlainRun {
-	Setup    setup;
-	Products made;
-
-	PlainRun(const Call& call, Pipeline pipeline) : setup(call, pipeline) {}
-	Told told() { return tellOf(setup.run, made, Decisions()); }
+	/// Report and notes of a pipeline without a plan.
+	Outcome told() { return tellOf(run, made, Decisions()); }
 };
 
 /// Hands over report and notes of a run at the end of a scope, with or without a result.
@@ -71,9 +65,7 @@ struct TellAtEnd {
 	~TellAtEnd()
 	{
 		try {
-			Told told  = run.told();
-			out.report = std::move(told.report);
-			out.notes  = std::move(told.notes);
+			out = run.told();
 		}
 		catch (const std::bad_alloc&) {
 			out.notes.clear();
@@ -103,7 +95,7 @@ public:
 	const Products&  made() const { return made_; }
 	const Decisions& decisions() const { return plan_.decisions(); }
 	RemeshResult     takeResult() { return std::move(best_); }
-	Told             told();
+	Outcome          told();
 
 private:
 	Setup                         setup_;
@@ -111,10 +103,10 @@ private:
 	InputCache*                   cache_;
 	InputCache                    ownCache_; ///< for the trials of one call
 	Plan                          plan_;
-	Products                      made_;
+	Products&                     made_ = setup_.made;
 	RemeshResult                  best_;
-	Told                          bestTold_;
-	std::optional<Told>           refused_;    ///< told by the run with the refused count
+	Outcome                       bestTold_;
+	std::optional<Outcome>        refused_;    ///< told by the run with the refused count
 	int                           runNum_ = 0; ///< begun
 	StageClock::Clock::time_point start_;
 

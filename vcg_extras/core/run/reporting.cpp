@@ -72,9 +72,9 @@ void reportResult(const Products& made, RemeshReport& report)
 
 } // namespace
 
-Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
+Outcome tellOf(RunContext& run, const Products& made, const Decisions& decisions)
 {
-	Told          told;
+	Outcome       told;
 	RemeshReport& report = told.report;
 	report.seed          = run.options.seed;
 	report.threads       = run.workers.threadNum();
@@ -89,9 +89,9 @@ Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
 	return told;
 }
 
-Told tellOfWhole(RunContext& run, const Products& made, RemeshReport half)
+Outcome tellOfWhole(RunContext& run, const Products& made, RemeshReport half)
 {
-	Told                 told   = tellOf(run, made, Decisions());
+	Outcome              told   = tellOf(run, made, Decisions());
 	RemeshReport&        whole  = told.report;
 	const GuardedFigures ofHalf = half.audit.guarded;
 	half.stages                 = std::move(whole.stages);
@@ -111,12 +111,12 @@ void addTimes(const RemeshResult& half, StageClock& clock)
 	clock.add(half.report.stages);
 }
 
-void Told::addOtherRuns(StageClock::Clock::time_point start)
+void addOtherRuns(StageClock::Clock::time_point start, Outcome& told)
 {
 	double other = StageClock::secondsSince(start);
-	for (const StageTime& s : report.stages)
+	for (const StageTime& s : told.report.stages)
 		other -= s.seconds;
-	report.stages.push_back({"otherTrials", other});
+	told.report.stages.push_back({"otherTrials", other});
 }
 
 } // namespace gpr

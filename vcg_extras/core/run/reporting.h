@@ -15,20 +15,14 @@
 
 namespace gpr {
 
-/// The report and the notes of a run.
-struct Told {
-	RemeshReport             report;
-	std::vector<std::string> notes;
-
-	/// Adds the time since the start of a call with several runs, less the time of this run.
-	void addOtherRuns(StageClock::Clock::time_point start);
-};
-
 /// The report and the notes about the products of a run. No other function writes a report, and
 /// nothing reads a report before the run ends (scripts/check/report_reads).
-Told tellOf(RunContext& run, const Products& made, const Decisions& decisions);
+Outcome tellOf(RunContext& run, const Products& made, const Decisions& decisions);
 /// The same for a symmetric result: the report on the remeshed half, with the figures of the whole.
-Told tellOfWhole(RunContext& run, const Products& made, RemeshReport half);
+Outcome tellOfWhole(RunContext& run, const Products& made, RemeshReport half);
+
+/// Adds the time since the start of a call with several runs, less the time of the run told of.
+void addOtherRuns(StageClock::Clock::time_point start, Outcome& told);
 
 /// Adds the times of the stages of a run on half of a surface to the clock of the whole.
 void addTimes(const RemeshResult& half, StageClock& clock);

@@ -54,7 +54,7 @@ public:
 	{
 	}
 
-	Told told()
+	Outcome told()
 	{
 		if (ofRun_.mesh.faceNum() == 0) return tellOf(run_, made_, Decisions());
 		return tellOfWhole(run_, made_, std::move(ofRun_.report));
@@ -263,13 +263,13 @@ void remeshSymmetric(const Call& call, RemeshResult& out)
 	RemeshOptions ofWhole    = call.options;
 	ofWhole.featureRegion    = FeatureRegion::None; // found on the half
 	ofWhole.featureDiskScale = 0;
-	PlainRun        plain({call.input, ofWhole, call.progress, call.stop, call.cache, call.start},
+	Setup           plain({call.input, ofWhole, call.progress, call.stop, call.cache, call.start},
 						  Pipeline::Remeshing);
-	SymmetricRun    symmetric(call, plain.setup.run, plain.made);
+	SymmetricRun    symmetric(call, plain.run, plain.made);
 	const TellAtEnd teller{symmetric, out};
 	{
 		InputCache own;
-		fillCache(plain.setup.run, call.cache != nullptr ? *call.cache : own, plain.made);
+		fillCache(plain.run, call.cache != nullptr ? *call.cache : own, plain.made);
 	}
 	symmetric.go(out);
 }
