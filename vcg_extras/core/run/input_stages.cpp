@@ -105,7 +105,6 @@ bool takeConnected(RunContext& run, Sewing sewing, InputCache::OfSewing& kept,
 
 void InputCache::fitTo(const RemeshOptions& wanted)
 {
-
 	const auto ofCleaning = std::make_tuple(wanted.sew, wanted.dropComponentsBelow,
 											keepsJunctions(wanted), keepsRegionVertices(wanted));
 	if (ofCleaning == options) return;

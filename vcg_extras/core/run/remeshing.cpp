@@ -220,7 +220,7 @@ void remeshInput(const Call& call, RemeshResult& out)
 		throw Failure(Status::BadOptions,
 					  "Wanted edge lengths are not possible with the preset paper.");
 	Remeshing       remeshing(call, Pipeline::Remeshing, requestOf(call));
-	const TellAtEnd teller{remeshing, out};
+	const TellAtEnd teller{[&] { return remeshing.told(); }, out};
 	while (!remeshing.isDone())
 		remeshing.takeStep();
 	if (call.options.targetMode == TargetMode::MaxError) remeshing.endTrials();
@@ -231,7 +231,7 @@ void sampleInput(const Call& call, SamplingResult& out)
 {
 	Remeshing remeshing(call, Pipeline::Sampling, {call.options, 0, Purpose::SamplesOnly});
 	remeshing.samples = &out;
-	const TellAtEnd teller{remeshing, out};
+	const TellAtEnd teller{[&] { return remeshing.told(); }, out};
 	while (!remeshing.isDone())
 		remeshing.takeStep();
 }
@@ -242,7 +242,7 @@ void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, Remesh
 	Remeshing          remeshing(call, Pipeline::Retriangulation,
 								 {call.options, 0, Purpose::OfGivenSamples, num});
 	remeshing.given = &points;
-	const TellAtEnd teller{remeshing, out};
+	const TellAtEnd teller{[&] { return remeshing.told(); }, out};
 	if (points.empty()) throw Failure(Status::BadOptions, "There are no samples.");
 	while (!remeshing.isDone())
 		remeshing.takeStep();
@@ -252,7 +252,7 @@ void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, Remesh
 void detectOnly(const Call& call, FeatureResult& out)
 {
 	Setup              plain(call, Pipeline::Detection);
-	const TellAtEnd    teller{plain, out};
+	const TellAtEnd    teller{[&] { return plain.told(); }, out};
 	WorkingSurface&    surface = plain.made.surface;
 	const FeatureEdges found   = detectOnInput(plain.run, surface);
 	countInput(plain.run, surface);
@@ -265,7 +265,7 @@ void prepareInput(const Call& call, RemeshResult& out)
 	// Without detection, the cached stages take about a fifth of the work of a run.
 	const bool      detects = call.options.featureRegion == FeatureRegion::Detected;
 	Setup           plain(call, Pipeline::Remeshing);
-	const TellAtEnd teller{plain, out};
+	const TellAtEnd teller{[&] { return plain.told(); }, out};
 	plain.run.clock.restart({0, detects ? 1.0 : 5.0});
 	fillCache(plain.run, *call.cache, plain.made);
 }

@@ -17,6 +17,7 @@
 #include <vcg_extras/core/progress.h>
 #include <vcg_extras/core/results.h>
 
+#include <functional>
 #include <new>
 #include <optional>
 #include <string>
@@ -56,24 +57,21 @@ struct Setup {
 };
 
 /// Hands over report and notes of a run at the end of a scope, with or without a result.
-template <class Run>
 struct TellAtEnd {
-	Run&     run;
-	Outcome& out;
+	std::function<Outcome()> told; ///< by the run
+	Outcome&                 out;
 
 	/// Without memory for the report nothing is told, so that the first failure reaches the caller.
 	~TellAtEnd()
 	{
 		try {
-			out = run.told();
+			out = told();
 		}
 		catch (const std::bad_alloc&) {
 			out.notes.clear();
 		}
 	}
 };
-template <class Run>
-TellAtEnd(Run&, Outcome&) -> TellAtEnd<Run>;
 
 /// One run through the steps of a plan, with the products of the steps.
 class Remeshing {

@@ -266,7 +266,7 @@ void remeshSymmetric(const Call& call, RemeshResult& out)
 	Setup           plain({call.input, ofWhole, call.progress, call.stop, call.cache, call.start},
 						  Pipeline::Remeshing);
 	SymmetricRun    symmetric(call, plain.run, plain.made);
-	const TellAtEnd teller{symmetric, out};
+	const TellAtEnd teller{[&] { return symmetric.told(); }, out};
 	{
 		InputCache own;
 		fillCache(plain.run, call.cache != nullptr ? *call.cache : own, plain.made);
