@@ -106,7 +106,7 @@ std::string provenText(std::int64_t vertexNum, double error, double diagonal)
 
 Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.options.targetFaceNum)
 {
-	if (request.goal) search_.emplace(*request.goal);
+
 	beginRun(request.purpose, request.goal ? request.goal->start : request.sampleNum);
 }
 
@@ -115,7 +115,7 @@ WorkShare Plan::share() const
 	if (decisions_.purpose == Purpose::Forecast) return {0, 0};
 	if (decisions_.purpose == Purpose::CountToBeHad) return {1, 1};
 	if (decisions_.purpose != Purpose::Trial) return {0, 1};
-	const double length = 1.0 / search_->goal().maxTrials, from = trialNum_ * length;
+	const double length = 1.0 / goal().maxTrials, from = trialNum_ * length;
 	return {from, from + length};
 }
 
@@ -338,9 +338,8 @@ std::string Plan::judge(const ForecastFacts& facts)
 				 verticesOf(2 * double(facts.vertexNum), borderEdgeNum(facts.vertexNum)));
 		return "";
 	}
-	ErrorGoal goal = *request_.goal;
-	goal.start     = facts.vertexNum;
-	search_.emplace(goal);
+	request_.goal->start = facts.vertexNum;
+	search_.emplace(goal());
 	beginRun(Purpose::Trial, search_->first());
 	return "";
 }
@@ -733,8 +732,7 @@ std::string Plan::judge(const ExportFacts& facts)
 	trial_.vertexNum = facts.vertexNum;
 	trial_.addedNum  = decisions_.addedNum;
 	++trialNum_;
-	const double goal = search_->goal().largest;
-	isBest_           = trialNum_ == 1 || isBetter(trial_, best_, goal);
+	isBest_ = trialNum_ == 1 || isBetter(trial_, best_, goal().largest);
 	if (isBest_) best_ = trial_;
 	const std::int64_t next = search_->after(decisions_.vertexNum, trial_);
 	if (next > 0 && mayReturn()) {
@@ -746,12 +744,11 @@ std::string Plan::judge(const ExportFacts& facts)
 
 std::string Plan::outcomeForError() const
 {
-	const double goal = search_->goal().largest;
 	if (search_->found() > 0) {
 		return provenText(best_.vertexNum, best_.error, request_.diagonal) + " The search took " +
 			   text(trialNum_) + (trialNum_ == 1 ? " trial." : " trials.");
 	}
-	std::string missed = missedText(best_, goal, request_.diagonal);
+	std::string missed = missedText(best_, goal().largest, request_.diagonal);
 	if (!request_.options.allowNearest) throw Failure(Status::PromiseBroken, missed);
 	return missed;
 }

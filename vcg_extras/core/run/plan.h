@@ -255,7 +255,7 @@ public:
 
 private:
 	Request                    request_;
-	std::optional<CountSearch> search_; ///< with a goal
+	std::optional<CountSearch> search_; ///< with a goal, after the forecast
 	Decisions                  decisions_;
 	Step                       step_      = Step::Region;
 	bool                       beginsRun_ = true;

@@ -39,7 +39,6 @@ class CountSearch {
 public:
 	explicit CountSearch(const ErrorGoal& goal) : goal_(goal), left_(goal.maxTrials) {}
 
-	const ErrorGoal& goal() const { return goal_; }
 	/// The count of the first trial.
 	std::int64_t first() const { return clamped(double(goal_.start)); }
 	/// The count to try after a trial of the count `asked`; 0 if the search is over.
