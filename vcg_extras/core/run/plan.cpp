@@ -25,22 +25,16 @@ constexpr int maxSearchedCounts = 8;
 /// times the first count: five meshes at most, since sheets at one place never come apart.
 constexpr std::int64_t mostForSheets = 8;
 
-/// The next count of a search for possible counts.
-std::int64_t quarterMore(std::int64_t vertexNum)
+/// A part of a count, at least 1.
+std::int64_t partOf(std::int64_t num, std::int64_t divisor)
 {
-	return vertexNum + std::max<std::int64_t>(1, vertexNum / 4);
+	return std::max<std::int64_t>(1, num / divisor);
 }
 
 /// A refusal names counts up to these numbers only after a test of the count, with at most this
 /// number of attempts.
 constexpr std::int64_t mostTriedVertices = 10000, mostTriedFaces = 20000;
 constexpr int          maxTriedCounts = 16;
-
-/// The next face count to try after a failure, with the same parity.
-std::int64_t raised(std::int64_t faceNum)
-{
-	return faceNum + 2 * std::max<std::int64_t>(1, faceNum / 20);
-}
 
 /// Share of the vertices on lines and borders, above which the weaker of close lines are dropped.
 constexpr double maxOnCurves = 0.5;
@@ -462,26 +456,25 @@ void Plan::refuseParity(std::int64_t lower) const
 				  0, decisions_.faceNum > 0 ? lower : 0);
 }
 
-std::string Plan::withoutFeatureLines(const std::string& fault)
+std::string Plan::withoutFeatureLines(const std::string& note)
 {
 	decisions_.way = Way::WithoutFeatureLines;
-	return tryAgain(fault + ", so the result has no feature lines.");
+	return tryAgain(note);
 }
 
 std::string Plan::withRaggedBorder()
 {
-	decisions_.way               = Way::WithoutFeatureLines;
 	decisions_.keepsRaggedBorder = true;
-	return tryAgain(
+	return withoutFeatureLines(
 		"With a smooth border some triangles would be degenerate, so the border is not smoothed.");
 }
 
 std::string Plan::withOpenSeams()
 {
-	decisions_.way        = Way::WithoutFeatureLines;
 	decisions_.sewing     = Sewing::Never;
 	attempts_.preparedFor = 0; // the surface at hand is sewn
-	return tryAgain("With sewn seams some triangles would be degenerate, so the seams stay open.");
+	return withoutFeatureLines(
+		"With sewn seams some triangles would be degenerate, so the seams stay open.");
 }
 
 /// Accepts or refuses the count reached with vertices to be kept. There is no other way to the
@@ -523,18 +516,16 @@ std::string Plan::raiseTo(const RelaxationFacts& smallest)
 	decisions_.vertexNum = attempts_.asked = vertexNum;
 	if (decisions_.faceNum > 0) decisions_.faceNum = faceNum;
 	if (isStuck) return accept(smallest, note);
-	decisions_.way         = Way::WithoutFeatureLines;
 	attempts_.searchedFrom = attempts_.searchedNum = 0;
-	return tryAgain(note);
+	return withoutFeatureLines(note);
 }
 
 std::string Plan::search(std::int64_t vertexNum)
 {
 	++attempts_.searchedNum;
-	decisions_.way = Way::WithoutFeatureLines;
 	if (vertexNum != attempts_.searchedFrom) decisions_.faceNum = 0;
 	decisions_.vertexNum = vertexNum;
-	return tryAgain("");
+	return withoutFeatureLines("");
 }
 
 std::string Plan::beginSearch(const RelaxationFacts& from)
@@ -564,7 +555,8 @@ std::string Plan::goOnSearching()
 	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
 	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
 	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom, 0);
-	return search(isOver ? attempts_.searchedFrom : quarterMore(decisions_.vertexNum));
+	return search(isOver ? attempts_.searchedFrom
+						 : decisions_.vertexNum + partOf(decisions_.vertexNum, 4));
 }
 
 std::string Plan::judgeAreas(const RelaxationFacts& facts)
@@ -607,12 +599,13 @@ std::string Plan::judge(const RelaxationFacts& facts)
 	const bool misses    = !isPaper(request_.options) && !isReached;
 	if (mayReturn()) {
 		if (facts.hasFeatureLines && misses) {
-			return withoutFeatureLines(std::string("The number of ") +
-									   (asksForFaces() ? "faces" : "vertices") +
-									   " could not be reached with feature lines");
+			return withoutFeatureLines(
+				std::string("The number of ") + (asksForFaces() ? "faces" : "vertices") +
+				" could not be reached with feature lines, so the result has no feature lines.");
 		}
 		if (facts.hasFeatureLines && facts.hasZeroAreas)
-			return withoutFeatureLines("With feature lines some triangles would be degenerate");
+			return withoutFeatureLines("With feature lines some triangles would be degenerate, so "
+									   "the result has no feature lines.");
 		if (facts.hasSmoothBorder && facts.hasZeroAreas) return withRaggedBorder();
 		if (facts.isSewn && facts.hasZeroAreas) return withOpenSeams();
 	}
@@ -637,7 +630,7 @@ std::string Plan::judge(const FitFacts& facts)
 /// next mesh has half as many vertices again; else the run refuses.
 std::string Plan::separateByMore(const ContactFacts& facts)
 {
-	const std::int64_t next = facts.before + std::max<std::int64_t>(1, facts.before / 2);
+	const std::int64_t next = facts.before + partOf(facts.before, 2);
 	const std::int64_t faceNum =
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
 	const bool           isFirst = attempts_.separatedFrom == 0;
@@ -776,9 +769,10 @@ void Plan::judge(const Failure& failure)
 		const std::int64_t missed = isFirst ? 0 : smallestNum_ - triedVertexNum_;
 		tryToHave(smallestNum_ + std::max(0, triedNum_ - even) * missed);
 	}
-	else
-		tryToHave(isFirst ? failure.smallestFaceNum
-						  : std::max(failure.smallestFaceNum, raised(wantedFaces_)));
+	else {
+		const std::int64_t raised = wantedFaces_ + 2 * partOf(wantedFaces_, 20); // the same parity
+		tryToHave(isFirst ? failure.smallestFaceNum : std::max(failure.smallestFaceNum, raised));
+	}
 }
 
 /// Begins a mesh with a count, of faces if faces are counted.

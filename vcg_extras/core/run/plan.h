@@ -318,7 +318,7 @@ private:
 	void              addBorder(const SizeFacts& facts);
 	std::string       makeRoom();
 	float             correctedRadius(const SampleFacts& facts) const;
-	std::string       withoutFeatureLines(const std::string& fault);
+	std::string       withoutFeatureLines(const std::string& note);
 	std::string       withRaggedBorder();
 	std::string       withOpenSeams();
 	std::string       nearestWithKept(const RelaxationFacts& reached);
