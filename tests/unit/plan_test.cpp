@@ -65,7 +65,7 @@ RelaxationFacts withoutAreas(std::int64_t vertexNum)
 class PlannedRun {
 public:
 	explicit PlannedRun(RemeshOptions options, Purpose purpose = Purpose::Answer) :
-			options_(std::move(options)), plan_(Request{options_, 1000, purpose})
+			options_(std::move(options)), plan_(options_, 1000, Request{purpose})
 	{
 	}
 
@@ -852,7 +852,7 @@ public:
 	Plan                      plan;
 
 	ErrorRun(const RemeshOptions& options, double goal) :
-			plan(Request{options, 1000, Purpose::Forecast, 0, ErrorGoal{goal, 300, 100000}, 1})
+			plan(options, 1000, Request{Purpose::Forecast, 0, ErrorGoal{goal, 300, 100000}, 1})
 	{
 	}
 

@@ -21,8 +21,8 @@ std::unique_ptr<Remeshing> StagedRun::runUntil(Step step, int threads) const
 	RemeshOptions options                = options_;
 	options.threads                      = threads;
 	static const ProgressCallback silent = nullptr;
-	auto run = std::make_unique<Remeshing>(Call{input_, options, silent}, Pipeline::Remeshing,
-										   Request{options, std::int64_t(input_.vertexNum)});
+	auto                          run =
+		std::make_unique<Remeshing>(Call{input_, options, silent}, Pipeline::Remeshing, Request{});
 	while (run->next() < step)
 		run->takeStep();
 	return run;

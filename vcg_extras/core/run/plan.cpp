@@ -73,12 +73,12 @@ std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 }
 
 /// The note about the vertex count for a detail.
-std::string forecastText(std::int64_t vertexNum, const Request& request)
+std::string forecastText(std::int64_t vertexNum, Detail detail, double diagonal)
 {
-	const double error = detailError(request.options.targetDetail) * request.diagonal;
+	const double error = detailError(detail) * diagonal;
 	return "About " + text(vertexNum) +
 		   " vertices are forecast to keep 99.9 % of the surface within " +
-		   lengthText(error, request.diagonal) + ".";
+		   lengthText(error, diagonal) + ".";
 }
 
 /// Two meshes within the bound: fewer vertices are better. Else the smaller error is better.
@@ -98,7 +98,9 @@ std::string provenText(std::int64_t vertexNum, double error, double diagonal)
 		   lengthText(error, diagonal) + ".";
 }
 
-Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.options.targetFaceNum)
+Plan::Plan(const RemeshOptions& options, std::int64_t vertexNum, const Request& request) :
+		options_(options), callersVertexNum_(vertexNum), request_(request),
+		wantedFaces_(options.targetFaceNum)
 {
 
 	beginRun(request.purpose, request.goal ? request.goal->start : request.sampleNum);
@@ -183,20 +185,20 @@ void Plan::beginRun(Purpose purpose, std::int64_t vertexNum)
 /// Whether the result may have another count if the wanted count is not possible.
 bool Plan::isWish() const
 {
-	const bool isByCount = request_.options.targetMode == TargetMode::VertexNum || asksForFaces() ||
+	const bool isByCount = options_.targetMode == TargetMode::VertexNum || asksForFaces() ||
 						   decisions_.purpose == Purpose::CountToBeHad;
-	return request_.options.allowNearest || !isByCount;
+	return options_.allowNearest || !isByCount;
 }
 
 bool Plan::asksForFaces() const
 {
-	return request_.options.targetMode == TargetMode::FaceNum;
+	return options_.targetMode == TargetMode::FaceNum;
 }
 
 /// Whether the result may have another number of vertices than the options ask for.
 bool Plan::mayDiffer() const
 {
-	return isWish() || isPaper(request_.options);
+	return isWish() || isPaper(options_);
 }
 
 // ---- The surface and its samples.
@@ -205,10 +207,9 @@ void Plan::resolveCount(const InputFacts& facts)
 {
 	attempts_.area = facts.area;
 	if (attempts_.isCountChosen) return;
-	RemeshOptions options = request_.options;
+	RemeshOptions options = options_;
 	options.targetFaceNum = wantedFaces_;
-	decisions_.vertexNum =
-		resolveTarget(request_.callersVertexNum, options, facts.area, facts.scale);
+	decisions_.vertexNum  = resolveTarget(callersVertexNum_, options, facts.area, facts.scale);
 	if (asksForFaces()) decisions_.faceNum = wantedFaces_;
 }
 
@@ -238,7 +239,7 @@ void Plan::forecastVertices()
 	for (int round = 0; round < rounds; ++round)
 		decisions_.vertexNum =
 			verticesOf(double(decisions_.faceNum), borderEdgeNum(decisions_.vertexNum));
-	if (isPaper(request_.options)) decisions_.faceNum = 0; // reaches no exact count
+	if (isPaper(options_)) decisions_.faceNum = 0; // reaches no exact count
 }
 
 /// A count by an edge length or by sizes is at first half the number of faces: right without a
@@ -246,10 +247,10 @@ void Plan::forecastVertices()
 void Plan::addBorder(const SizeFacts& facts)
 {
 	const bool isByLength =
-		request_.options.targetMode == TargetMode::EdgeLength && !attempts_.isCountChosen;
+		options_.targetMode == TargetMode::EdgeLength && !attempts_.isCountChosen;
 	if (facts.vertexNum > 0)
 		decisions_.vertexNum = verticesOf(2 * facts.vertexNum, facts.borderEdgeNum);
-	else if (isByLength && !isPaper(request_.options))
+	else if (isByLength && !isPaper(options_))
 		decisions_.vertexNum =
 			verticesOf(2 * double(decisions_.vertexNum), borderEdgeNum(decisions_.vertexNum));
 	else
@@ -261,9 +262,10 @@ std::string Plan::judge(const InputFacts& facts)
 {
 	resolveCount(facts);
 	goOn();
-	const bool isForecast = request_.options.targetMode == TargetMode::Detail &&
+	const bool isForecast = options_.targetMode == TargetMode::Detail &&
 							decisions_.purpose == Purpose::Answer && attempts_.asked == 0;
-	return isForecast ? forecastText(decisions_.vertexNum, request_) : std::string();
+	return isForecast ? forecastText(decisions_.vertexNum, options_.targetDetail, request_.diagonal)
+					  : std::string();
 }
 
 std::string Plan::judge(const SurfaceFacts& facts)
@@ -301,8 +303,8 @@ std::string Plan::judge(const SizeFacts& facts)
 /// that vertices are left for the surface between them. Else refuses.
 std::string Plan::makeRoom()
 {
-	const bool isBorder    = request_.options.boundary == BoundaryMode::Keep;
-	const bool isRegion    = !isBorder && !keepsJunctions(request_.options);
+	const bool isBorder    = options_.boundary == BoundaryMode::Keep;
+	const bool isRegion    = !isBorder && !keepsJunctions(options_);
 	const bool mayRaise    = !isRegion && isWish() && decisions_.purpose != Purpose::SamplesOnly;
 	const std::string fact = std::string(isBorder   ? "The border has "
 										 : isRegion ? "The feature region has "
@@ -327,7 +329,7 @@ std::string Plan::makeRoom()
 
 std::string Plan::judge(const ForecastFacts& facts)
 {
-	if (request_.options.targetMode == TargetMode::Detail) {
+	if (options_.targetMode == TargetMode::Detail) {
 		beginRun(Purpose::Answer,
 				 verticesOf(2 * double(facts.vertexNum), borderEdgeNum(facts.vertexNum)));
 		return "";
@@ -377,7 +379,7 @@ std::string Plan::judge(const SampleFacts& facts)
 {
 	const int   most      = attempts_.sizes.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
 	const float corrected = correctedRadius(facts);
-	const bool  isCorrected = (facts.mayMiss || !isPaper(request_.options)) &&
+	const bool  isCorrected = (facts.mayMiss || !isPaper(options_)) &&
 							 attempts_.correctionNum < most && corrected != facts.radius;
 	attempts_.correctionNum += isCorrected;
 	if (isCorrected) decisions_.radius = corrected;
@@ -409,7 +411,7 @@ std::string Plan::accept(const RelaxationFacts& facts, std::string note)
 		note = "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
 			   asked() + ", the nearest possible number.";
 	}
-	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum;
+	if (!isPaper(options_)) decisions_.vertexNum = facts.vertexNum;
 	if (decisions_.faceNum > 0) decisions_.faceNum = facts.faceNum;
 	goOn();
 	return note;
@@ -596,7 +598,7 @@ std::string Plan::judge(const RelaxationFacts& facts)
 {
 	const bool isReached = decisions_.faceNum > 0 ? facts.faceNum == decisions_.faceNum
 												  : facts.vertexNum == decisions_.vertexNum;
-	const bool misses    = !isPaper(request_.options) && !isReached;
+	const bool misses    = !isPaper(options_) && !isReached;
 	if (mayReturn()) {
 		if (facts.hasFeatureLines && misses) {
 			return withoutFeatureLines(
@@ -633,11 +635,12 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 	const std::int64_t next = facts.before + partOf(facts.before, 2);
 	const std::int64_t faceNum =
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
-	const bool           isFirst = attempts_.separatedFrom == 0;
-	const std::int64_t   first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
-	const RemeshOptions& o       = request_.options;
-	const bool           isBesideBorder =
-		(o.boundary == BoundaryMode::Keep || o.selectedOnly) && !keepsJunctions(o);
+	const bool         isFirst = attempts_.separatedFrom == 0;
+	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
+
+	const bool isBesideBorder =
+		(options_.boundary == BoundaryMode::Keep || options_.selectedOnly) &&
+		!keepsJunctions(options_);
 	const std::string fault =
 		"With " + asked() +
 		(isBesideBorder ? " triangles beside the kept border" : " sheets that meet in junctions") +
@@ -685,7 +688,7 @@ std::string Plan::judge(const ContactFacts& facts)
 	// The repair of small angles may have moved vertices to the border, for as many faces inside.
 	if (decisions_.faceNum > 0) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
 	if (facts.vertexNum == facts.before && !isMissed) return "";
-	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
+	if (!isPaper(options_)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
 	if (isMissed) decisions_.faceNum = facts.faceNum;
 	return "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
 		   (asksForFaces() ? asked() : text(facts.before)) +
@@ -742,7 +745,7 @@ std::string Plan::outcomeForError() const
 			   text(trialNum_) + (trialNum_ == 1 ? " trial." : " trials.");
 	}
 	std::string missed = missedText(best_, goal().largest, request_.diagonal);
-	if (!request_.options.allowNearest) throw Failure(Status::PromiseBroken, missed);
+	if (!options_.allowNearest) throw Failure(Status::PromiseBroken, missed);
 	return missed;
 }
 
@@ -751,7 +754,7 @@ std::string Plan::outcomeForError() const
 void Plan::judge(const Failure& failure)
 {
 	const bool namesCount = failure.status == Status::CountTooSmall || failure.smallestFaceNum > 0;
-	const bool isSmall    = namesCount && request_.options.guard;
+	const bool isSmall    = namesCount && options_.guard;
 	const bool isFirst    = decisions_.purpose == Purpose::Answer && isSmall;
 	if (!isFirst && decisions_.purpose != Purpose::CountToBeHad) throw failure;
 	if (isFirst) {

@@ -153,8 +153,6 @@ struct ExportFacts : CountFacts {};
 
 /// The task of a run.
 struct Request {
-	const RemeshOptions&     options;
-	std::int64_t             callersVertexNum; ///< of the input mesh
 	Purpose                  purpose   = Purpose::Answer;
 	std::int64_t             sampleNum = 0;  ///< with Purpose::OfGivenSamples
 	std::optional<ErrorGoal> goal      = {}; ///< error bound, with Purpose::Forecast
@@ -215,7 +213,8 @@ class Plan {
 public:
 	static constexpr int mostReturns = 100;
 
-	explicit Plan(const Request& request);
+	/// vertexNum: of the input mesh.
+	Plan(const RemeshOptions& options, std::int64_t vertexNum, const Request& request);
 
 	Step             next() const { return step_; }
 	const Decisions& decisions() const { return decisions_; }
@@ -254,6 +253,8 @@ public:
 	std::string outcomeForError() const;
 
 private:
+	const RemeshOptions&       options_;
+	std::int64_t               callersVertexNum_;
 	Request                    request_;
 	std::optional<CountSearch> search_; ///< with a goal, after the forecast
 	Decisions                  decisions_;

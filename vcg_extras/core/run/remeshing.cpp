@@ -59,7 +59,7 @@ ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const
 
 Request requestOf(const Call& call)
 {
-	Request          request{call.options, std::int64_t(call.input.vertexNum)};
+	Request          request;
 	const TargetMode mode = call.options.targetMode;
 	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
 		MeshExtent extent = extentOf(call.input);
@@ -95,9 +95,7 @@ Setup::Setup(const Call& call, Pipeline pipeline) :
 
 Remeshing::Remeshing(const Call& call, Pipeline pipeline, const Request& request) :
 		setup_(call, pipeline), firstNotes_(setup_.run.notes), cache_(call.cache),
-		plan_({setup_.options, std::int64_t(call.input.vertexNum), request.purpose,
-			   request.sampleNum, request.goal, request.diagonal}),
-		start_(call.start)
+		plan_(setup_.options, std::int64_t(call.input.vertexNum), request), start_(call.start)
 {
 	if (cache_ == nullptr && request.goal) cache_ = &ownCache_;
 	if (cache_ != nullptr) cache_->fitTo(setup_.options);
@@ -229,7 +227,7 @@ void remeshInput(const Call& call, RemeshResult& out)
 
 void sampleInput(const Call& call, SamplingResult& out)
 {
-	Remeshing remeshing(call, Pipeline::Sampling, {call.options, 0, Purpose::SamplesOnly});
+	Remeshing remeshing(call, Pipeline::Sampling, {Purpose::SamplesOnly});
 	remeshing.samples = &out;
 	const TellAtEnd teller{[&] { return remeshing.told(); }, out};
 	while (!remeshing.isDone())
@@ -239,8 +237,7 @@ void sampleInput(const Call& call, SamplingResult& out)
 void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, RemeshResult& out)
 {
 	const std::int64_t num = std::int64_t(points.size());
-	Remeshing          remeshing(call, Pipeline::Retriangulation,
-								 {call.options, 0, Purpose::OfGivenSamples, num});
+	Remeshing          remeshing(call, Pipeline::Retriangulation, {Purpose::OfGivenSamples, num});
 	remeshing.given = &points;
 	const TellAtEnd teller{[&] { return remeshing.told(); }, out};
 	if (points.empty()) throw Failure(Status::BadOptions, "There are no samples.");
