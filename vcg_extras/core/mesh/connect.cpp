@@ -8,144 +8,46 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <tuple>
 #include <vector>
 
 namespace gpr {
 
 namespace {
 
-/// A half-edge at its smaller end: the other end, and the direction.
-struct Spoke {
-	int  other;
-	bool leaves;
-	int  halfEdge;
-
-	bool isOfSameEdge(const Spoke& o) const { return other == o.other; }
-	bool operator<(const Spoke& o) const
-	{
-		return std::tie(other, leaves, halfEdge) < std::tie(o.other, o.leaves, o.halfEdge);
-	}
-};
-
-/// The spokes of a vertex in one direction.
+/// The half-edges at their smaller end in one direction. Nearly all vertices have fewer than there
+/// is room for.
 struct Spokes {
-	static constexpr int few = 16; // nearly all vertices have fewer
-	struct End {
-		int other;
+	static constexpr int room = 16;
+	struct Spoke {
+		int other; ///< the larger end
 		int halfEdge;
 	};
-	End end[few];
-	int num = 0; ///< may exceed `few`
+	Spoke at[room];
+	int   num = 0; ///< may exceed the room
 
+	void add(int other, int halfEdge)
+	{
+		if (num < room) at[num] = {other, halfEdge};
+		++num;
+	}
 	/// Whether two spokes have the same other end.
 	bool hasTwins() const
 	{
 		bool twins = false;
 		for (int i = 1; i < num; ++i) {
 			for (int k = 0; k < i; ++k)
-				twins |= end[i].other == end[k].other;
+				twins |= at[i].other == at[k].other;
 		}
 		return twins;
 	}
-};
-
-/// The spokes of a vertex. Up to `few` a direction lie in plain arrays.
-struct SpokeFan {
-	Spokes             leaving, coming;
-	int                pairNum = 0; ///< pairs found in the plain arrays
-	std::vector<Spoke> all;         ///< further spokes; after gatherAll() all spokes
-
-	void clear()
-	{
-		leaving.num = coming.num = pairNum = 0;
-		all.clear();
-	}
-	/// Adds a spoke to one of the two directions.
-	void add(Spokes& spokes, int other, int halfEdge)
-	{
-		if (spokes.num < Spokes::few)
-			spokes.end[spokes.num] = {other, halfEdge};
-		else
-			all.push_back({other, &spokes == &leaving, halfEdge});
-		++spokes.num;
-	}
-	void gatherAll()
-	{
-		for (const Spokes* spokes : {&leaving, &coming}) {
-			for (int i = 0; i < std::min(spokes->num, Spokes::few); ++i)
-				all.push_back({spokes->end[i].other, spokes == &leaving, spokes->end[i].halfEdge});
-		}
-	}
-	/// Appends half-edges without an opposite. Skips the search if the counts show only pairs.
+	/// Appends half-edges without an opposite.
 	void addUnpaired(const Buffer<int>& opposite, std::vector<int>& out) const
 	{
-		const auto addIfUnpaired = [&](int h) {
-			if (opposite[h] < 0) out.push_back(h);
-		};
-		for (const Spoke& s : all)
-			addIfUnpaired(s.halfEdge);
-		if (!all.empty() || (pairNum == leaving.num && pairNum == coming.num)) return;
-		for (const Spokes* spokes : {&leaving, &coming}) {
-			for (int i = 0; i < spokes->num; ++i)
-				addIfUnpaired(spokes->end[i].halfEdge);
+		for (int i = 0; i < num; ++i) {
+			if (opposite[at[i].halfEdge] < 0) out.push_back(at[i].halfEdge);
 		}
 	}
 };
-
-/// pairSpokes for vertices with many neighbours, and for edges with more than two faces.
-bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
-{
-	std::sort(spokes.begin(), spokes.end());
-	bool isManifold = true;
-	forEachEdge(spokes, [&](std::size_t i, std::size_t end) {
-		const bool isPair = end - i == 2 && spokes[i].leaves != spokes[i + 1].leaves;
-		isManifold        = isManifold && (isPair || end - i == 1);
-		for (std::size_t k = i; k < end; ++k)
-			opposite[spokes[k].halfEdge] = -1;
-		if (!isPair) return;
-		opposite[spokes[i].halfEdge]     = spokes[i + 1].halfEdge;
-		opposite[spokes[i + 1].halfEdge] = spokes[i].halfEdge;
-	});
-	return isManifold;
-}
-
-/// Pairs the half-edges with the same smaller end. Returns false if an edge has more than two
-/// faces, or two faces in the same direction. Most vertices have three edges here, for which
-/// comparing every leaving with every coming half-edge is faster than sorting.
-bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
-{
-	const int leavingNum = fan.leaving.num, comingNum = fan.coming.num;
-	if (leavingNum > Spokes::few || comingNum > Spokes::few) {
-		fan.gatherAll();
-		return pairSortedSpokes(fan.all, opposite);
-	}
-	for (int i = 0; i < leavingNum; ++i)
-		opposite[fan.leaving.end[i].halfEdge] = -1;
-	unsigned paired   = 0; // a bit per leaving half-edge
-	bool     hasTwins = false;
-	for (int k = 0; k < comingNum; ++k) {
-		const Spokes::End coming  = fan.coming.end[k];
-		int               partner = -1;
-		for (int i = 0; i < leavingNum; ++i)
-			partner = fan.leaving.end[i].other == coming.other ? i : partner;
-		if (partner < 0) {
-			opposite[coming.halfEdge] = -1;
-			continue;
-		}
-		const int leaving         = fan.leaving.end[partner].halfEdge;
-		opposite[coming.halfEdge] = leaving;
-		opposite[leaving]         = coming.halfEdge;
-		hasTwins |= (paired >> partner & 1) != 0;
-		paired |= 1u << partner;
-		++fan.pairNum;
-	}
-	// If all half-edges have partners, twins have the same partner.
-	const bool allPaired = fan.pairNum == leavingNum && fan.pairNum == comingNum;
-	if (!hasTwins && (allPaired || !(fan.leaving.hasTwins() || fan.coming.hasTwins()))) return true;
-	fan.gatherAll();
-	return pairSortedSpokes(fan.all, opposite);
-}
 
 void lowerTo(int& place, int value)
 {
@@ -175,14 +77,9 @@ public:
 		leaveByOwnFaces();
 
 		std::atomic<bool>      isManifold{true};
-		const std::vector<int> border = workers_.collect<int>(
-			mesh_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				SpokeFan fan;
-				for (int v = int(begin); v < int(end); ++v) {
-					gather(v, fan);
-					if (!pairSpokes(fan, m_.opposite)) isManifold = false;
-					fan.addUnpaired(m_.opposite, out);
-				}
+		const std::vector<int> border =
+			workers_.collectEach<int>(mesh_.vertexNum, [&](int v, std::vector<int>& out) {
+				if (!pairFew(v, out) && !pairMany(v, out)) isManifold = false;
 			});
 		for (int h : border)
 			m_.outgoing[mesh_.triangle[h]] = h;
@@ -224,26 +121,86 @@ private:
 		if (!hasOwnFaces(v)) lowerTo(m_.outgoing[v], h);
 	}
 
-	/// Collects the spokes of v. Two half-edges of a face have the first corner as smaller end and
-	/// are found through faceStart; only the third half-edge needs a list.
-	void gather(int v, SpokeFan& fan)
+	/// Calls visit(leaves, other, halfEdge) for the half-edges with smaller end v. Two half-edges
+	/// of a face have the first corner as smaller end and are found through faceStart; only the
+	/// third half-edge needs a list.
+	template <class Visit>
+	void forEachSpoke(int v, const Visit& visit)
 	{
-		fan.clear();
 		for (int f = faceStart_[v]; f < faceStart_[v + 1]; ++f) {
 			const int a = mesh_.triangle[3 * f + 1], b = mesh_.triangle[3 * f + 2];
-			fan.add(fan.leaving, a, 3 * f);
-			fan.add(fan.coming, b, 3 * f + 2);
+			visit(true, a, 3 * f);
+			visit(false, b, 3 * f + 2);
 			leaveByOther(a, 3 * f + 1);
 			leaveByOther(b, 3 * f + 2);
 		}
 		for (int f = firstThird_[v]; f >= 0; f = nextThird_[f]) {
 			const int h = 3 * f + 1;
 			const int a = mesh_.triangle[h], b = mesh_.triangle[h + 1];
-			if (a == v)
-				fan.add(fan.leaving, b, h);
-			else
-				fan.add(fan.coming, a, h);
+			visit(a == v, a == v ? b : a, h);
 		}
+	}
+
+	/// Pairs the half-edges with smaller end v, and appends those of the border. Returns false, and
+	/// leaves the pairs to pairMany, at vertices with many neighbours and at edges with more than
+	/// two faces, or two faces in the same direction.
+	bool pairFew(int v, std::vector<int>& border)
+	{
+		Spokes leaving, coming;
+		forEachSpoke(
+			v, [&](bool leaves, int other, int h) { (leaves ? leaving : coming).add(other, h); });
+		if (leaving.num > Spokes::room || coming.num > Spokes::room) return false;
+		bool      hasTwins = false;
+		const int pairNum  = pairAll(leaving, coming, hasTwins);
+		// If all half-edges have partners, twins have the same partner.
+		if (pairNum == leaving.num && pairNum == coming.num) return !hasTwins;
+		if (hasTwins || leaving.hasTwins() || coming.hasTwins()) return false;
+		leaving.addUnpaired(m_.opposite, border);
+		coming.addUnpaired(m_.opposite, border);
+		return true;
+	}
+
+	/// Returns the number of half-edges that come from a leaving half-edge's other end; hasTwins:
+	/// whether two come from the same. Most vertices have three edges here, for which comparing
+	/// every leaving with every coming half-edge is faster than sorting.
+	int pairAll(const Spokes& leaving, const Spokes& coming, bool& hasTwins)
+	{
+		for (int i = 0; i < leaving.num; ++i)
+			m_.opposite[leaving.at[i].halfEdge] = -1;
+		unsigned paired  = 0; // a bit per leaving half-edge
+		int      pairNum = 0;
+		for (int k = 0; k < coming.num; ++k) {
+			const Spokes::Spoke& spoke   = coming.at[k];
+			int                  partner = -1;
+			for (int i = 0; i < leaving.num; ++i)
+				partner = leaving.at[i].other == spoke.other ? i : partner;
+			m_.opposite[spoke.halfEdge] = partner < 0 ? -1 : leaving.at[partner].halfEdge;
+			if (partner < 0) continue;
+			m_.opposite[leaving.at[partner].halfEdge] = spoke.halfEdge;
+			hasTwins |= (paired >> partner & 1) != 0;
+			paired |= 1u << partner;
+			++pairNum;
+		}
+		return pairNum;
+	}
+
+	/// As pairFew, for any vertex; false if an edge has more than two faces, or two faces in the
+	/// same direction.
+	bool pairMany(int v, std::vector<int>& border)
+	{
+		std::vector<EdgeSide> sides;
+		forEachSpoke(v, [&](bool, int other, int h) { sides.push_back(edgeSide(v, other, h)); });
+		std::sort(sides.begin(), sides.end());
+		bool isManifold = true;
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			const int  g = sides[begin].halfEdge, h = sides[end - 1].halfEdge;
+			const bool isPair = end - begin == 2 && mesh_.triangle[g] != mesh_.triangle[h];
+			for (std::size_t k = begin; k < end; ++k)
+				m_.opposite[sides[k].halfEdge] = isPair ? g + h - sides[k].halfEdge : -1;
+			if (end - begin == 1) border.push_back(g);
+			isManifold = isManifold && (isPair || end - begin == 1);
+		});
+		return isManifold;
 	}
 };
 
