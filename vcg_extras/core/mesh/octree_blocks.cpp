@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "octree_blocks.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
+
 #include <algorithm>
-#include <cstdint>
 
 namespace gpr {
 
@@ -15,23 +16,6 @@ int levelFor(const MortonGrid& grid, float minCellSize)
 	while (level < grid.level && grid.cellSize(level + 1) >= minCellSize)
 		++level;
 	return level;
-}
-
-/// The end of v's cell, at most `end`. Vertices are in the order of cells: doubles the steps, then
-/// bisects the last step, and so visits few vertices.
-template <class CellOf>
-int endOfCell(const CellOf& cellOf, int v, int end)
-{
-	const std::uint64_t cell = cellOf(v);
-	int                 step = 1;
-	while (step < end - v && cellOf(v + step) == cell)
-		step *= 2;
-	int inside = v + step / 2, outside = std::min(v + step, end);
-	while (outside - inside > 1) {
-		const int middle                            = inside + (outside - inside) / 2;
-		(cellOf(middle) == cell ? inside : outside) = middle;
-	}
-	return outside;
 }
 
 } // namespace
@@ -46,8 +30,10 @@ OctreeBlocks cutIntoBlocks(const Surface& surface, float minCellSize, Workers& w
 	const std::vector<int> begins =
 		workers.collect<int>(m.vertexNum, [&](std::size_t from, std::size_t to, auto& out) {
 			const int end = int(to);
-			for (int v = int(from); v < end; v = endOfCell(cellOf, v, end)) {
-				if (v == 0 || cellOf(v) != cellOf(v - 1)) out.push_back(v);
+			for (int v = int(from); v < end;) {
+				const auto isBeyond = [&](int i) { return cellOf(v + i) != cellOf(v); };
+				if (v == 0 || isBeyond(-1)) out.push_back(v);
+				v += firstOf(end - v, isBeyond);
 			}
 		});
 
