@@ -9,6 +9,7 @@
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/orientation.h>
+#include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
 #include <array>
@@ -326,17 +327,13 @@ std::vector<int> findTouchingFaces(const HalfEdgeMesh& m, Workers& workers, Seam
 
 std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 {
-	// Marks, since a sort of millions of pairs would take longer than their search.
-	int last = -1;
-	for (const FacePair& pair : pairs)
-		last = std::max(last, pair.second);
-	std::vector<char> isMarked(std::size_t(last + 1), 0);
-	for (const FacePair& pair : pairs)
-		isMarked[pair.first] = isMarked[pair.second] = 1;
+	int              last = -1;
 	std::vector<int> faces;
-	for (int f = 0; f <= last; ++f) {
-		if (isMarked[f]) faces.push_back(f);
+	for (const FacePair& pair : pairs) {
+		faces.insert(faces.end(), {pair.first, pair.second});
+		last = std::max(last, pair.second);
 	}
+	sortUniqueBelow(last + 1, faces);
 	return faces;
 }
 
