@@ -7,6 +7,8 @@
 
 #include <vcg_extras/core/base/triangle.h>
 
+#include <algorithm>
+
 namespace gpr {
 
 /// A point in the plane of a triangle, as weights of its corners.
@@ -15,16 +17,8 @@ struct Foot {
 
 	bool isInside() const { return weight[0] > 0 && weight[1] > 0 && weight[2] > 0; }
 	/// The corners with the least and with the largest weight.
-	int lightest() const
-	{
-		if (weight[0] <= weight[1]) return weight[0] <= weight[2] ? 0 : 2;
-		return weight[1] <= weight[2] ? 1 : 2;
-	}
-	int heaviest() const
-	{
-		if (weight[0] >= weight[1]) return weight[0] >= weight[2] ? 0 : 2;
-		return weight[1] >= weight[2] ? 1 : 2;
-	}
+	int lightest() const { return int(std::min_element(weight, weight + 3) - weight); }
+	int heaviest() const { return int(std::max_element(weight, weight + 3) - weight); }
 };
 
 /// A triangle and its plane, for many points. The corner weights at the foot of a point are linear
