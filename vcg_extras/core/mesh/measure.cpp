@@ -63,39 +63,40 @@ private:
 	int load(int x) const { return __atomic_load_n(&parent_[x], __ATOMIC_RELAXED); }
 };
 
+/// The number of connected sets of some edges: the loops of a border. Counted by joined vertices,
+/// as a border vertex of a faulty mesh may have several border edges.
+std::int64_t loopNum(const std::vector<EdgeSide>& border, std::size_t vertexNum, Workers& workers)
+{
+	DisjointSets sets(vertexNum, workers);
+	workers.forEach(border.size(), [&](int i) { sets.unite(border[i].low, border[i].high); });
+	std::vector<int> roots;
+	for (const EdgeSide& edge : border)
+		roots.push_back(sets.find(edge.low));
+	sortUniqueBelow(int(vertexNum), roots);
+	return std::int64_t(roots.size());
+}
+
 /// Fills components, boundaryLoops and eulerCharacteristic.
 void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
 	Workers                workers(1, nullptr);
 	const Buffer<EdgeSide> edges = sortedSides(mesh, workers);
-	DisjointSets           faces(mesh.faceNum, workers), rim(mesh.vertexNum, workers);
-	std::vector<char>      used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
+	DisjointSets           faces(mesh.faceNum, workers);
+	std::vector<char>      isUsed(mesh.vertexNum, 0);
+	std::vector<EdgeSide>  border;
 	std::int64_t           edgeNum = 0;
 	forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
-		const int low = edges[begin].low, high = edges[begin].high;
 		for (std::size_t i = begin + 1; i < end; ++i)
 			faces.unite(edges[begin].halfEdge / 3, edges[i].halfEdge / 3);
 		++edgeNum;
-		used[low] = used[high] = 1;
-		if (end - begin > 1) return;
-		rim.unite(low, high);
-		onRim[low] = onRim[high] = 1;
+		isUsed[edges[begin].low] = isUsed[edges[begin].high] = 1;
+		if (end - begin == 1) border.push_back(edges[begin]);
 	});
 	for (std::size_t f = 0; f < mesh.faceNum; ++f)
 		figures.components += faces.isRoot(int(f));
-	std::int64_t usedNum = 0;
-	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
-		usedNum += used[v];
-		figures.boundaryLoops += onRim[v] && rim.isRoot(int(v));
-	}
+	figures.boundaryLoops       = loopNum(border, mesh.vertexNum, workers);
+	const std::int64_t usedNum  = std::count(isUsed.begin(), isUsed.end(), 1);
 	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
-}
-
-/// 2·inradius / circumradius of a triangle with these edges and twice this area: inradius = doubled
-/// / (a + b + c), circumradius = a b c / (2 doubled).
-double ratioOfRadii(double a, double b, double c, double doubled)
-{
-	return 4 * doubled * doubled / ((a + b + c) * a * b * c);
 }
 
 /// Sums and extremes of the shape measures of some faces.
@@ -122,8 +123,10 @@ struct ShapeSums {
 };
 
 /// The shape measures of a face.
-ShapeSums shapeOf(const Vec3d& p, const Vec3d& q, const Vec3d& s)
+ShapeSums shapeOf(const MeshView& mesh, int f)
 {
+	const auto   t = mesh.triangle(f);
+	const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
 	ShapeSums    face;
 	const double a = length(s - q), b = length(s - p), c = length(q - p);
 	const double doubled = length(cross(q - p, s - p)); // twice the area
@@ -137,7 +140,8 @@ ShapeSums shapeOf(const Vec3d& p, const Vec3d& q, const Vec3d& s)
 	const double angles[3] = {portable::angle(doubled, dot(q - p, s - p)),
 							  portable::angle(doubled, dot(p - q, s - q)),
 							  portable::angle(doubled, dot(p - s, q - s))};
-	face.radiusRatio = face.radiusRatioMin = ratioOfRadii(a, b, c, doubled);
+	// Inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
+	face.radiusRatio = face.radiusRatioMin = 4 * doubled * doubled / ((a + b + c) * a * b * c);
 	face.aspectRatio = face.aspectRatioMin = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
 	face.minAngle = face.minAngleMin = std::min({angles[0], angles[1], angles[2]});
 	face.maxAngle                    = std::max({angles[0], angles[1], angles[2]});
@@ -192,11 +196,8 @@ std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers)
 {
 	std::vector<float> ratios(mesh.faceNum, 0);
 	workers.forEach(mesh.faceNum, [&](int f) {
-		const auto   t = mesh.triangle(f);
-		const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
-		const double doubled = length(cross(q - p, s - p));
-		const double ratio   = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
-		if (doubled > 0 && std::isfinite(ratio)) ratios[f] = float(ratio);
+		const double ratio = shapeOf(mesh, f).radiusRatio;
+		if (std::isfinite(ratio)) ratios[f] = float(ratio);
 	});
 	return ratios;
 }
@@ -211,65 +212,44 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 {
 	QualityFigures q;
 	if (mesh.faceNum == 0) return q;
-	const ShapeSums sums = workers.sumEach<ShapeSums>(mesh.faceNum, [&](int f, ShapeSums& part) {
-		const auto t = mesh.triangle(f);
-		part += shapeOf(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
-	});
-	const double    n    = double(mesh.faceNum);
-	q.radiusRatioMean    = sums.radiusRatio / n;
-	q.radiusRatioMin     = sums.radiusRatioMin;
-	q.aspectRatioMean    = sums.aspectRatio / n;
-	q.aspectRatioMin     = sums.aspectRatioMin;
-	q.minAngleDeg        = sums.minAngleMin * degrees;
-	q.meanMinAngleDeg    = sums.minAngle / n * degrees;
-	q.maxAngleDeg        = sums.maxAngle * degrees;
-	q.below30Percent     = 100 * double(sums.below30) / n;
-	q.meanEdgeLen        = sums.edgeLen / n;
-	q.valence6Percent    = valence6Percent(mesh);
+	const ShapeSums sums = workers.sumEach<ShapeSums>(
+		mesh.faceNum, [&](int f, ShapeSums& part) { part += shapeOf(mesh, f); });
+	const double n    = double(mesh.faceNum);
+	q.radiusRatioMean = sums.radiusRatio / n;
+	q.radiusRatioMin  = sums.radiusRatioMin;
+	q.aspectRatioMean = sums.aspectRatio / n;
+	q.aspectRatioMin  = sums.aspectRatioMin;
+	q.minAngleDeg     = sums.minAngleMin * degrees;
+	q.meanMinAngleDeg = sums.minAngle / n * degrees;
+	q.maxAngleDeg     = sums.maxAngle * degrees;
+	q.below30Percent  = 100 * double(sums.below30) / n;
+	q.meanEdgeLen     = sums.edgeLen / n;
+	q.valence6Percent = valence6Percent(mesh);
 	return q;
 }
 
 namespace {
 
-/// Joins the corners of each face in `sets`. Returns the half-edges of the border.
-std::vector<int> joinCorners(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
+/// Joins the corners of each face in `sets`. Returns the edges of the border.
+std::vector<EdgeSide> joinCorners(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
 {
-	return workers.collectEach<int>(m.faceNum, [&](int f, std::vector<int>& border) {
+	return workers.collectEach<EdgeSide>(m.faceNum, [&](int f, std::vector<EdgeSide>& border) {
 		const int* v = &m.origin[3 * f];
 		sets.unite(v[0], v[1]);
 		sets.unite(v[0], v[2]);
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			if (m.opposite[h] < 0) border.push_back(h);
+			if (m.opposite[h] < 0) border.push_back(edgeSide(m.origin[h], m.target(h), h));
 		}
 	});
-}
-
-/// Counts border loops by joined vertices, as in a faulty mesh, which only the audit finds, a
-/// border vertex may have several border half-edges.
-std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border, Workers& workers)
-{
-	std::vector<int> vertex;
-	for (int h : border) {
-		vertex.push_back(m.origin[h]);
-		vertex.push_back(m.target(h));
-	}
-	sortUniqueBelow(m.vertexNum, vertex);
-	DisjointSets rims(vertex.size(), workers);
-	workers.forEach(border.size(), [&](int i) {
-		const int h = border[i];
-		rims.unite(placeIn(vertex, m.origin[h]), placeIn(vertex, m.target(h)));
-	});
-	return workers.sumEach<std::int64_t>(
-		vertex.size(), [&](int i, std::int64_t& loops) { loops += rims.isRoot(i); });
 }
 
 } // namespace
 
 MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 {
-	DisjointSets           sets(m.vertexNum, workers);
-	const std::vector<int> border = joinCorners(m, sets, workers);
-	const Box<double>      box =
+	DisjointSets                sets(m.vertexNum, workers);
+	const std::vector<EdgeSide> border = joinCorners(m, sets, workers);
+	const Box<double>           box =
 		workers.sumEach<Box<double>>(m.vertexNum, [&](int v, Box<double>& part) {
 			if (isFinite(m.position[v])) part.add(Vec3d(m.position[v]));
 		});
@@ -278,7 +258,7 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 	figures.faces      = m.faceNum;
 	figures.components = workers.sumEach<std::int64_t>(
 		m.vertexNum, [&](int v, std::int64_t& roots) { roots += sets.isRoot(v); });
-	figures.boundaryLoops       = loopNum(m, border, workers);
+	figures.boundaryLoops       = loopNum(border, m.vertexNum, workers);
 	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + std::int64_t(border.size())) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
 	figures.area                = unit * unit * surfaceArea(m, workers);
