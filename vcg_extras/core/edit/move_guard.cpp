@@ -57,8 +57,7 @@ bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 	if (!hasMoved(f)) return false;
 	const int*    c      = &m_.origin[3 * f];
 	const Corners before = {from_[c[0]], from_[c[1]], from_[c[2]]};
-	if (spoilsFace(limits_, before, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}))
-		return true;
+	if (spoilsFace(limits_, before, m_.corners(f))) return true;
 	if (normal.empty()) return false;
 	const float now = normalAgreement(m_, normal, f);
 	if (now >= limits_.agreement) return false;

@@ -26,11 +26,7 @@ struct Foot {
 /// has no foot inside.
 class FacePlane {
 public:
-	FacePlane(const HalfEdgeMesh& m, int face) :
-			FacePlane({m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
-					   m.position[m.origin[3 * face + 2]]})
-	{
-	}
+	FacePlane(const HalfEdgeMesh& m, int face) : FacePlane(m.corners(face)) {}
 	explicit FacePlane(const Corners& corner) : corner_(corner), cross_(corner_.cross())
 	{
 		const float squared = squaredLength(cross_);

@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/base/float4.h>
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/vec.h>
 
@@ -90,12 +91,13 @@ struct HalfEdgeMesh {
 	Vec3f edgeVector(int h) const { return position[target(h)] - position[origin[h]]; }
 	float edgeLength(int h) const { return length(edgeVector(h)); }
 
-	/// The unit normal times twice the area.
-	Vec3f faceCross(int f) const
+	/// The places of a face's corners.
+	Corners corners(int f) const
 	{
-		const Vec3f a = position[origin[3 * f]];
-		return cross(position[origin[3 * f + 1]] - a, position[origin[3 * f + 2]] - a);
+		return {position[origin[3 * f]], position[origin[3 * f + 1]], position[origin[3 * f + 2]]};
 	}
+	/// The unit normal times twice the area.
+	Vec3f faceCross(int f) const { return corners(f).cross(); }
 	Vec3f faceNormal(int f) const { return normalized(faceCross(f)); }
 
 	Vec3f faceCentre(int f) const
