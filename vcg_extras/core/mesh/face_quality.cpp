@@ -27,16 +27,15 @@ float largestEdgeRatio(float angle)
 
 float smallestAngle(const HalfEdgeMesh& m, int face)
 {
-	const int* corner = &m.origin[3 * face];
-	return smallestAngle(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
+	const Corners f = m.corners(face);
+	return smallestAngle(f.a, f.b, f.c);
 }
 
 float obtuseAngle(const HalfEdgeMesh& m, int face)
 {
-	const int*   corner = &m.origin[3 * face];
-	const Vec3f &a = m.position[corner[0]], &b = m.position[corner[1]], &c = m.position[corner[2]];
-	const float  ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
-	const float  longest = std::max({ab, bc, ca});
+	const auto [a, b, c] = m.corners(face);
+	const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+	const float longest = std::max({ab, bc, ca});
 	return ab + bc + ca < 2 * longest ? largestAngle(a, b, c) : 0;
 }
 
@@ -65,8 +64,7 @@ bool PoorFaceTest::operator()(int face) const
 
 float PoorFaceTest::angleOrLimit(int face) const
 {
-	const int*  corner = &m_.origin[3 * face];
-	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]], c = m_.position[corner[2]];
+	const auto [a, b, c] = m_.corners(face);
 	const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
 	const float shortest = std::min({ab, bc, ca}), longest = std::max({ab, bc, ca});
 	if (shortest > squaredRatio_ * longest) return limit_;
@@ -107,8 +105,8 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h)
 
 bool hasNoArea(const HalfEdgeMesh& m, int f)
 {
-	const int* c = &m.origin[3 * f];
-	return isLine(m.position[c[0]], m.position[c[1]], m.position[c[2]], m.faceCross(f));
+	const Corners face = m.corners(f);
+	return isLine(face.a, face.b, face.c, face.cross());
 }
 
 double surfaceArea(const HalfEdgeMesh& m, Workers& workers)
@@ -117,11 +115,9 @@ double surfaceArea(const HalfEdgeMesh& m, Workers& workers)
 		m.faceNum, [&](int f, double& area) { area += 0.5 * double(length(m.faceCross(f))); });
 }
 
-float meanEdgeByArea(const HalfEdgeMesh& m)
+float meanEdgeByArea(const HalfEdgeMesh& m, Workers& workers)
 {
-	double area = 0;
-	for (int f = 0; f < m.faceNum; ++f)
-		area += 0.5 * double(length(m.faceCross(f)));
+	const double area = surfaceArea(m, workers);
 	return float(std::sqrt(area / std::max(1, m.faceNum) * (4 / std::sqrt(3.0))));
 }
 

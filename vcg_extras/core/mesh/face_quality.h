@@ -62,7 +62,7 @@ bool hasNoArea(const HalfEdgeMesh& mesh, int face);
 double surfaceArea(const HalfEdgeMesh& mesh, Workers& workers);
 
 /// Edge length of equilateral triangles with the mean area of the faces.
-float meanEdgeByArea(const HalfEdgeMesh& mesh);
+float meanEdgeByArea(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

@@ -45,7 +45,7 @@ public:
 				   ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			s_(surface.mesh), hasGoal_(goal > 0),
-			near_(hasGoal_ ? goal : nearShare * meanEdgeByArea(result.mesh)),
+			near_(hasGoal_ ? goal : nearShare * meanEdgeByArea(result.mesh, workers)),
 			limits_(acceptanceOf(Driver::WorstDistances, minAngle)), r_(result), m_(result.mesh),
 			workers_(workers), normal_(smoothNormals(surface, result, workers)),
 			point_(m_.vertexNum), hasMoved_(m_.vertexNum, 0), gaps_(surface, map, m_, point_, near_)
