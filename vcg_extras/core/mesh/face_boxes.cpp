@@ -30,14 +30,6 @@ int depthFor(std::int64_t faceNum)
 	return depth;
 }
 
-MortonGrid gridOver(const Box<float>& all)
-{
-	MortonGrid grid;
-	grid.low      = all.low;
-	grid.cubeSize = std::max(0.0f, all.largestSide()) + 1e-30f;
-	return grid;
-}
-
 /// Marks living faces that may meet a wanted face.
 Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 						  const std::vector<char>& wanted, Workers& workers)
@@ -57,11 +49,10 @@ Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 
 Box<float> boxOfFace(const HalfEdgeMesh& m, int f)
 {
-	const int*  c   = &m.origin[3 * f];
-	const Vec3f a   = m.position[c[0]];
-	Box<float>  box = {a, a};
-	box.add(m.position[c[1]]);
-	box.add(m.position[c[2]]);
+	const auto [a, b, c] = m.corners(f);
+	Box<float> box       = {a, a};
+	box.add(b);
+	box.add(c);
 	return box;
 }
 
@@ -83,7 +74,7 @@ Box<float> boxOfFaces(const HalfEdgeMesh& m, const std::vector<int>& faces)
 
 FaceBoxes::FaceBoxes(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
 {
-	const MortonGrid   grid   = gridOver(boxOfAll(m, workers));
+	const MortonGrid   grid   = gridAround(boxOfAll(m, workers));
 	const Buffer<char> counts = findCounting(m, grid, wanted, workers);
 	const auto         num    = std::count(counts.begin(), counts.end(), 1);
 	const int          depth  = depthFor(num);

@@ -83,19 +83,6 @@ void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 	}
 }
 
-MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
-{
-	const Box<float> b = workers.sumEach<Box<float>>(
-		mesh.vertexNum, [&](int v, Box<float>& part) { part.add(mesh.position[v]); });
-	MortonGrid grid;
-	grid.low      = b.low;
-	grid.cubeSize = b.largestSide();
-	// A little wider, so that the highest coordinate still falls into the last cell.
-	grid.cubeSize *= 1.000001f;
-	if (!(grid.cubeSize > 0)) grid.cubeSize = 1;
-	return grid;
-}
-
 /// A surface fills about 4^level cells of a level: the deepest level with about a vertex in each
 /// cell.
 int levelFor(int vertexNum)
@@ -186,6 +173,16 @@ void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 	mesh.sourceFace.swap(sourceFace);
 }
 
+MortonGrid gridAround(const Box<float>& box)
+{
+	MortonGrid grid;
+	grid.low = box.low;
+	// A little wider, so that the highest coordinate still falls into the last cell.
+	grid.cubeSize = 1.000001f * box.largestSide();
+	if (!(grid.cubeSize > 0)) grid.cubeSize = 1;
+	return grid;
+}
+
 std::uint64_t MortonGrid::key(const Vec3f& p) const
 {
 	const float scale = float(1 << deepestLevel) / cubeSize;
@@ -199,7 +196,8 @@ std::uint64_t MortonGrid::key(const Vec3f& p) const
 
 MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 {
-	MortonGrid grid = gridAround(mesh, workers);
+	MortonGrid grid = gridAround(workers.sumEach<Box<float>>(
+		mesh.vertexNum, [&](int v, Box<float>& part) { part.add(mesh.position[v]); }));
 	grid.level      = levelFor(mesh.vertexNum);
 	{
 		const Buffer<int> rename = orderVertices(mesh, grid, workers);

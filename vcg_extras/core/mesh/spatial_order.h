@@ -29,6 +29,9 @@ struct MortonGrid {
 	float cellSize(int onLevel) const { return cubeSize / float(1 << onLevel); }
 };
 
+/// A grid over a box, of level 0.
+MortonGrid gridAround(const Box<float>& box);
+
 /// Stage::Order: puts the vertices in Morton order, and the faces in the order of their smallest
 /// vertex, which becomes their first corner (orientation kept). Neighbours then lie close in
 /// memory, and an octree cell is a range of vertices, as threads need. Equal keys keep their order,
