@@ -263,7 +263,7 @@ bool mayRise(OnSurface& on, float guarded, float top, float from, float to)
 	std::iota(all.begin(), all.end(), 0);
 	on.m().position[first].z += top;
 	on.m().position[second].z += from;
-	const PatchDistance before(assignment, all, trianglesOf(on.m(), all), {enough, guarded});
+	const PatchDistance before(assignment, all, trianglesOf(on.m(), all), enough, guarded);
 	on.m().position[second].z += to - from;
 	const bool keeps = before.isKeptBy(trianglesOf(on.m(), all));
 	on.m().position[first].z -= top;

@@ -187,9 +187,8 @@ std::unique_ptr<PatchDistance> FaceTrials::distanceOf(const std::vector<int>& fa
 {
 	const Acceptance& limits = goal_.limits;
 	if (!(limits.distance < HUGE_VALF) || room_.assignment == nullptr) return nullptr;
-	const PatchDistance::Settings  settings = {limits.distance * edge, limits.guarded};
-	std::unique_ptr<PatchDistance> distance(
-		new PatchDistance(*room_.assignment, faces, triangles, settings));
+	auto distance = std::make_unique<PatchDistance>(*room_.assignment, faces, triangles,
+													limits.distance * edge, limits.guarded);
 	room_.work -= distance->work();
 	return distance;
 }
@@ -339,7 +338,7 @@ bool FaceTrials::flipIfBetter(int h, const std::vector<int>& patch)
 	const Worst before = worstOf(pair);
 	editor_.flip(h);
 	if (costOf(pair) < settleShare * cost && keepsWorst(pair, before)) return true;
-	editor_.flipBack(h);
+	editor_.flip(nextInFace(h));
 	return false;
 }
 
@@ -366,21 +365,20 @@ bool FaceTrials::stepFrom(int v, float reach, float& cost)
 	const PatchEditor::VertexState start = editor_.stateOf(v);
 	PatchEditor::VertexState       best  = start;
 	bool                           found = false;
-	StepLimits before; // measured at the first better place: most steps find none
+	std::optional<StepLimits> before; // measured at the first better place: most steps find none
 	room_.work -= workOfStep;
 	for (const PatchEditor::VertexState& next : editor_.statesAround(v, reach, goal_.mayCrowd)) {
 		if (!editor_.isNearStart(v, next, goal_.limits.move, goal_.limits.normalTurn)) continue;
 		editor_.put(v, next);
 		const float now = costOf(faces);
 		if (!(now < settleShare * cost)) continue;
-		if (!before.isKnown) {
+		if (!before) {
 			editor_.put(v, start);
-			before.isKnown  = true;
-			before.worst    = worstOf(faces);
-			before.distance = distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v));
+			before = {worstOf(faces),
+					  distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v))};
 			editor_.put(v, next);
 		}
-		if (!keepsWorst(faces, before.worst) || !keepsDistance(before.distance.get(), faces))
+		if (!keepsWorst(faces, before->worst) || !keepsDistance(before->distance.get(), faces))
 			continue;
 		cost  = now;
 		best  = next;

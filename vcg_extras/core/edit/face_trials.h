@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gpr {
@@ -61,7 +62,6 @@ private:
 
 	/// The figures that a step of a vertex must not make worse.
 	struct StepLimits {
-		bool                           isKnown = false;
 		Worst                          worst;
 		std::unique_ptr<PatchDistance> distance;
 	};

@@ -96,18 +96,17 @@ Triangles trianglesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
 	Triangles triangles;
 	triangles.reserve(faces.size());
 	for (int f : faces) {
-		const int* c = &m.origin[3 * f];
-		triangles.push_back({m.position[c[0]], m.position[c[1]], m.position[c[2]]});
+		const auto [a, b, c] = m.corners(f);
+		triangles.push_back({a, b, c});
 	}
 	return triangles;
 }
 
 PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> faces,
-							 const Triangles& triangles, const Settings& settings) :
+							 const Triangles& triangles, float enough, float guarded) :
 		assignment_(assignment),
-		faces_(std::move(faces)), squaredEnough_(settings.enough * settings.enough),
-		squaredGuarded_(std::max(squaredEnough_, settings.guarded * settings.guarded)),
-		farthest_(squaredEnough_)
+		faces_(std::move(faces)), squaredEnough_(enough * enough),
+		squaredGuarded_(std::max(squaredEnough_, guarded * guarded)), farthest_(squaredEnough_)
 {
 	NearestTriangle near(triangles);
 	for (int f : faces_) {

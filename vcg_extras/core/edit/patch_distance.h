@@ -70,16 +70,12 @@ Triangles trianglesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 /// The distances of the vertices assigned to a patch from the triangles of the patch.
 class PatchDistance {
 public:
-	struct Settings {
-		float enough;              ///< distance that counts as zero
-		float guarded = HUGE_VALF; ///< see isKeptBy
-	};
-
 	/// Measures the distances of the vertices assigned to `faces` from `triangles`, which need not
-	/// be the triangles of `faces`. Cost: the product of both, usually far less, since the last
+	/// be the triangles of `faces`. enough: a distance that counts as zero; guarded: see isKeptBy,
+	/// HUGE_VALF: none. Cost: the product of both, usually far less, since the last
 	/// nearest triangle is tried first.
 	PatchDistance(const Assignment& assignment, std::vector<int> faces, const Triangles& triangles,
-				  const Settings& settings);
+				  float enough, float guarded);
 
 	/// Whether other triangles may replace the measured triangles. No vertex may lie farther away
 	/// than `enough`, or than the farthest vertex before. The sum of fourth powers of the distances

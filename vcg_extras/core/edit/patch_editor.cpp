@@ -33,6 +33,21 @@ bool maySpareFace(const HalfEdgeMesh& m, int v)
 	return m.isBorderVertex(v) || m.valence(v) > 4;
 }
 
+void addStar(const HalfEdgeMesh& m, int v, std::vector<int>& patch)
+{
+	patch.push_back(v);
+	forEachNeighbour(m, v, [&](int w) { patch.push_back(w); });
+}
+
+/// Adds the corners of h's face, and the corners beyond its other edges.
+void addHalfOfEdge(const HalfEdgeMesh& m, int h, std::vector<int>& patch)
+{
+	patch.insert(patch.end(), {m.origin[h], m.target(h), m.apex(h)});
+	for (int side : {nextInFace(h), prevInFace(h)}) {
+		if (m.opposite[side] >= 0) patch.push_back(m.apex(m.opposite[side]));
+	}
+}
+
 } // namespace
 
 std::vector<Operation> operationsAt(const HalfEdgeMesh& m, int face,
@@ -59,8 +74,7 @@ PatchEditor::PatchEditor(const Surface& surface, const BoundaryCurves& curves, R
 	reserve(m_, m_.vertexNum + spareVertexNum, m_.faceNum + 2 * spareVertexNum);
 	startNormal_.resize(startPosition_.size());
 	std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, startPosition_.data());
-	normal_ = Buffer<Vec3f>(startNormal_.size());
-	std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
+	normal_ = copyOf(startNormal_, workers);
 }
 
 float PatchEditor::agreement(int f) const
@@ -165,39 +179,13 @@ bool PatchEditor::isGentleFlip(int h) const
 	return gap <= largestDiagonalGap * meanEdge(corner[0]);
 }
 
-void PatchEditor::flip(int h)
-{
-	gpr::flip(m_, h);
-}
-
-void PatchEditor::flipBack(int h)
-{
-	gpr::flip(m_, nextInFace(h));
-}
-
-void PatchEditor::addStar(int v, std::vector<int>& patch) const
-{
-	patch.push_back(v);
-	forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
-}
-
-/// Adds the corners of h's face, and the corners beyond its other edges.
-void PatchEditor::addHalfOfEdge(int h, std::vector<int>& patch) const
-{
-	for (int corner = 3 * (h / 3); corner < 3 * (h / 3) + 3; ++corner)
-		patch.push_back(m_.origin[corner]);
-	for (int side : {nextInFace(h), prevInFace(h)}) {
-		if (m_.opposite[side] >= 0) patch.push_back(m_.apex(m_.opposite[side]));
-	}
-}
-
 std::vector<int> PatchEditor::patchOf(const Operation& op) const
 {
 	const int        h = op.halfEdge;
 	std::vector<int> patch;
 	if (op.kind == Operation::Move) return {m_.origin[h]};
 	if (op.isCollapse()) {
-		addStar(op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h), patch);
+		addStar(m_, op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h), patch);
 	}
 	else if (op.kind == Operation::Flip) {
 		if (m_.opposite[h] < 0) return {};
@@ -205,9 +193,9 @@ std::vector<int> PatchEditor::patchOf(const Operation& op) const
 		patch.assign(corners.begin(), corners.end());
 	}
 	else {
-		addHalfOfEdge(h, patch);
-		if (m_.opposite[h] >= 0) addHalfOfEdge(m_.opposite[h], patch);
-		if (op.kind == Operation::Attach) addStar(m_.apex(h), patch);
+		addHalfOfEdge(m_, h, patch);
+		if (m_.opposite[h] >= 0) addHalfOfEdge(m_, m_.opposite[h], patch);
+		if (op.kind == Operation::Attach) addStar(m_, m_.apex(h), patch);
 	}
 	sortUnique(patch);
 	return patch;

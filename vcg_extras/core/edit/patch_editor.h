@@ -91,8 +91,8 @@ public:
 	/// Makes a flip, split or collapse. False if the topology or a curve forbids the operation; the
 	/// patch may be half changed then and must be undone.
 	bool make(const Operation& op);
-	void flip(int h);
-	void flipBack(int h);
+	/// A flip is undone by the flip of nextInFace(h).
+	void flip(int h) { gpr::flip(m_, h); }
 
 	Snapshot remember(const std::vector<int>& patch) const;
 	/// The state before a bare flip of h: far fewer faces if a corner has many.
@@ -122,8 +122,6 @@ private:
 	VertexState movedTo(int v, const ResultVertex& record) const;
 	Vec3f       normalAt(int v, const SurfacePoint& at) const;
 	Vec3f       heightOf(int v) const { return m_.position[v] - r_.vertex[v].point.position; }
-	void        addStar(int v, std::vector<int>& patch) const;
-	void        addHalfOfEdge(int h, std::vector<int>& patch) const;
 	bool        mayGo(int v) const;
 	bool        split(int h);
 	bool        attach(int h);
