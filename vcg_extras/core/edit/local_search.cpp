@@ -56,7 +56,9 @@ bool LocalSearch::run(const Goal& goal)
 		std::set_union(bad.begin(), bad.end(), changed.begin(), changed.end(),
 					   std::back_inserter(candidates));
 		const std::size_t before = bad.size();
-		bad                      = stillBad(candidates);
+		bad.clear();
+		std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(bad),
+					 [&](int f) { return !isDeadFace(m_, f) && goal.isBad(f); });
 		if (float(bad.size()) > goal.budget.maxLeft * float(before)) break;
 	}
 	return true;
@@ -83,14 +85,6 @@ std::vector<int> LocalSearch::worstFirst(std::vector<int> faces) const
 	for (std::size_t i = 0; i < faces.size(); ++i)
 		faces[i] = order[i].second;
 	return faces;
-}
-
-std::vector<int> LocalSearch::stillBad(const std::vector<int>& faces) const
-{
-	std::vector<int> bad;
-	std::copy_if(faces.begin(), faces.end(), std::back_inserter(bad),
-				 [&](int f) { return !isDeadFace(m_, f) && goal_->isBad(f); });
-	return bad;
 }
 
 bool LocalSearch::looksForContacts() const

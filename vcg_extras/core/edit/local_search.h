@@ -56,7 +56,6 @@ private:
 	};
 
 	std::vector<int> worstFirst(std::vector<int> faces) const;
-	std::vector<int> stillBad(const std::vector<int>& faces) const;
 	bool             isExhausted() const;
 	bool             looksForContacts() const;
 	void             takeSpace();
