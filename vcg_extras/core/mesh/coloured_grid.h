@@ -38,12 +38,14 @@ struct ColouredGrid {
 	std::vector<int>                     vertices;
 	std::array<std::vector<GridCell>, 8> byColour;
 
-	/// Calls body(cell) for every cell: colour after colour, the cells of a colour in parallel.
+	/// Calls body(cell, worker) for every cell: colour after colour, the cells of a colour in
+	/// parallel.
 	template <class Body>
 	void forEachCell(Workers& workers, const Body& body) const
 	{
 		for (const std::vector<GridCell>& cells : byColour)
-			workers.forTasks(cells.size(), [&](std::size_t i, int) { body(cells[i]); });
+			workers.forTasks(cells.size(),
+							 [&](std::size_t i, int worker) { body(cells[i], worker); });
 	}
 };
 

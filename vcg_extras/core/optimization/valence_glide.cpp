@@ -134,7 +134,7 @@ std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth)
 	const ColouredGrid cells = cutIntoGridCells(result.mesh, crowded, cellWidth * result.idealEdge);
 
 	Buffer<std::int64_t> chains(crowded.size(), 0), flips(crowded.size(), 0);
-	cells.forEachCell(workers, [&](const GridCell& cell) {
+	cells.forEachCell(workers, [&](const GridCell& cell, int) {
 		GlideSearch search(result, valence, flat, cell);
 		for (int i = cell.begin; i < cell.end; ++i) {
 			const int v = cells.vertices[i];

@@ -217,17 +217,14 @@ bool reachesRing(const GridCell& cell, const HalfEdgeMesh& m, int v)
 void runPass(const HalfEdgeMesh& m, const ColouredGrid& cells, const PassRules& rules,
 			 std::vector<Remover>& removers, std::vector<char>& isThere, Workers& workers)
 {
-	for (const std::vector<GridCell>& sameColour : cells.byColour) {
-		workers.forTasks(sameColour.size(), [&](std::size_t i, int worker) {
-			const GridCell& cell = sameColour[i];
-			for (int k = cell.begin; k < cell.end; ++k) {
-				const int v = cells.vertices[k];
-				if (k % 1024 == 0) workers.pollFrom(worker); // a cell may be the whole surface
-				if (isThere[k] && reachesRing(cell, m, v) && removers[worker].remove(v, rules))
-					isThere[k] = 0;
-			}
-		});
-	}
+	cells.forEachCell(workers, [&](const GridCell& cell, int worker) {
+		for (int k = cell.begin; k < cell.end; ++k) {
+			const int v = cells.vertices[k];
+			if (k % 1024 == 0) workers.pollFrom(worker); // a cell may be the whole surface
+			if (isThere[k] && reachesRing(cell, m, v) && removers[worker].remove(v, rules))
+				isThere[k] = 0;
+		}
+	});
 }
 
 } // namespace
