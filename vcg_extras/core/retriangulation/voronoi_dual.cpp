@@ -24,17 +24,6 @@ constexpr int maxSpreads = 32;
 
 using Triple = std::array<int, 3>;
 
-template <class T>
-void storeRelaxed(T& place, T value)
-{
-	__atomic_store_n(&place, value, __ATOMIC_RELAXED);
-}
-
-void addRelaxed(int& place, int value)
-{
-	__atomic_fetch_add(&place, value, __ATOMIC_RELAXED);
-}
-
 /// Lists the vertices from `first` on that represent no sample.
 void listTodo(int first, VoronoiDual& cells)
 {
@@ -106,8 +95,6 @@ private:
 		out.mesh = copyMesh(m_, workers_);
 	}
 
-	int labelOf(int v) const { return label_[v]; }
-
 	void takeOverLabels()
 	{
 		owns_ = Buffer<char>(sampleNum_, 0);
@@ -116,7 +103,7 @@ private:
 			int last = -1;
 			for (std::size_t v = begin; v < end; ++v) {
 				const int s = sampling_.nearest[v].sample;
-				if (s >= 0 && s != last) storeRelaxed(owns_[s], char(1));
+				if (s >= 0 && s != last) __atomic_store_n(&owns_[s], char(1), __ATOMIC_RELAXED);
 				label_[v] = last = s;
 			}
 		});
@@ -147,17 +134,17 @@ private:
 	{
 		Buffer<int> euler(sampleNum_, 0);
 		workers_.forEach(m_.vertexNum, [&](int v) {
-			const int s = labelOf(v);
+			const int s = label_[v];
 			if (s < 0) return;
 			const int  h       = m_.outgoing[v];
-			const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && labelOf(m_.target(h)) == s;
-			addRelaxed(euler[s], hasHalf ? 1 : 2);
+			const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && label_[m_.target(h)] == s;
+			__atomic_fetch_add(&euler[s], hasHalf ? 1 : 2, __ATOMIC_RELAXED);
 		});
 		workers_.forEach(m_.faceNum, [&](int f) {
 			const int* v = &m_.origin[3 * f];
-			const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+			const int  a = label_[v[0]], b = label_[v[1]], c = label_[v[2]];
 			const int  shared = a == b || a == c ? a : b == c ? b : -1;
-			if (shared >= 0) addRelaxed(euler[shared], -1);
+			if (shared >= 0) __atomic_fetch_add(&euler[shared], -1, __ATOMIC_RELAXED);
 		});
 		for (int s : cellOrder_)
 			bad_[s] = euler[s] != 2;
@@ -189,7 +176,7 @@ private:
 	std::vector<int> verticesOf(const std::vector<char>& marked) const
 	{
 		return workers_.collectEach<int>(m_.vertexNum, [&](int v, auto& out) {
-			if (labelOf(v) >= 0 && marked[labelOf(v)]) out.push_back(v);
+			if (label_[v] >= 0 && marked[label_[v]]) out.push_back(v);
 		});
 	}
 
@@ -201,7 +188,7 @@ private:
 		std::vector<std::pair<int, int>> inCell; // cell, vertex
 		inCell.reserve(vertices.size());
 		for (int v : vertices)
-			inCell.push_back({labelOf(v), v});
+			inCell.push_back({label_[v], v});
 		sortPolled(inCell.begin(), inCell.end(), workers_); // a cell may be the whole surface
 		std::vector<std::size_t> first;                     // of each cell
 		for (std::size_t i = 0; i < inCell.size(); ++i) {
@@ -226,7 +213,7 @@ private:
 	{
 		const std::vector<int> found = collectByCell(
 			verticesOf(suspects), [&](const std::vector<int>& cell, std::vector<int>& bad) {
-				if (!isGood(cell)) bad.push_back(labelOf(cell.front()));
+				if (!isGood(cell)) bad.push_back(label_[cell.front()]);
 			});
 		for (int s : found)
 			bad_[s] = 1;
@@ -270,7 +257,7 @@ private:
 			const int v = queue.back();
 			queue.pop_back();
 			forEachNeighbour(m_, v, [&](int w) {
-				if (labelOf(w) == labelOf(heart)) reach(w);
+				if (label_[w] == label_[heart]) reach(w);
 			});
 		}
 		for (int v : cell) {
@@ -284,7 +271,7 @@ private:
 		int   best     = -1;
 		float distance = HUGE_VALF;
 		forEachNeighbour(m_, v, [&](int w) {
-			const int s = labelOf(w);
+			const int s = label_[w];
 			if (s < 0) return;
 			const float d = squaredLength(sampling_.samples[s].point.position - m_.position[v]);
 			if (d < distance || (d == distance && s < best)) {
@@ -300,13 +287,13 @@ private:
 	/// three.
 	bool isDisk(const std::vector<int>& cell) const
 	{
-		const int s     = labelOf(cell.front());
+		const int s     = label_[cell.front()];
 		int       euler = 0;
 		for (int v : cell) {
 			euler += 6;
-			forEachNeighbour(m_, v, [&](int w) { euler -= labelOf(w) == s ? 3 : 0; });
+			forEachNeighbour(m_, v, [&](int w) { euler -= label_[w] == s ? 3 : 0; });
 			forEachOutgoing(m_, v, [&](int h) {
-				const bool isInside = labelOf(m_.target(h)) == s && labelOf(m_.apex(h)) == s;
+				const bool isInside = label_[m_.target(h)] == s && label_[m_.apex(h)] == s;
 				euler += isInside ? 2 : 0;
 			});
 		}
@@ -320,7 +307,7 @@ private:
 			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& found) {
 				for (std::size_t f = begin; f < end; ++f) {
 					const int* v = &m_.origin[3 * f];
-					const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+					const int  a = label_[v[0]], b = label_[v[1]], c = label_[v[2]];
 					const bool differ = a != b && b != c && c != a;
 					if (differ && a >= 0 && b >= 0 && c >= 0) found.push_back({a, b, c});
 				}
@@ -332,8 +319,8 @@ private:
 		if (!m_.hasCreases()) return;
 		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
 			if (m_.crease[h] == 0) return;
-			const int s = labelOf(m_.origin[h]);
-			if (s >= 0) storeRelaxed(bad_[s], char(1));
+			const int s = label_[m_.origin[h]];
+			if (s >= 0) __atomic_store_n(&bad_[s], char(1), __ATOMIC_RELAXED);
 		});
 	}
 
@@ -342,9 +329,9 @@ private:
 	{
 		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
 			const int v = boundary_.samples[s].vertex;
-			if (v < 0 || labelOf(v) == s) continue;
+			if (v < 0 || label_[v] == s) continue;
 			bad_[s] = 1;
-			if (labelOf(v) >= 0) bad_[labelOf(v)] = 1;
+			if (label_[v] >= 0) bad_[label_[v]] = 1;
 		}
 	}
 
@@ -389,7 +376,7 @@ private:
 		std::vector<char> isNear(sampleNum_, 0);
 		for (int v : verticesOf(fresh)) {
 			forEachNeighbour(m_, v, [&](int w) {
-				if (!isOpenVertex(w)) isNear[labelOf(w)] = 1;
+				if (!isOpenVertex(w)) isNear[label_[w]] = 1;
 			});
 		}
 		markBad(isNear, [&](const std::vector<int>& cell) { return isFanWhenContracted(cell); });
@@ -398,8 +385,8 @@ private:
 	/// Whether the faces round a cell make a single fan after the cell's contraction.
 	bool isFanWhenContracted(const std::vector<int>& cell) const
 	{
-		const int  own    = labelOf(cell.front());
-		const auto nodeOf = [&](int v) { return isOpenVertex(v) ? sampleNum_ + v : labelOf(v); };
+		const int  own    = label_[cell.front()];
+		const auto nodeOf = [&](int v) { return isOpenVertex(v) ? sampleNum_ + v : label_[v]; };
 		std::vector<std::pair<int, int>> link; // edges opposite the vertex
 		for (int v : cell) {
 			forEachOutgoing(m_, v, [&](int h) {
@@ -437,7 +424,7 @@ private:
 		return false;
 	}
 
-	bool isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
+	bool isOpenVertex(int v) const { return label_[v] < 0 || open_[label_[v]]; }
 
 	/// Makes the mesh. Returns false and marks the bad cells if the mesh is not manifold.
 	bool contract(VoronoiDual& out)
@@ -482,7 +469,7 @@ private:
 			out.surfaceVertex.push_back(-1);
 		}
 		for (int v : openVertices_) {
-			out.label.push_back(labelOf(v));
+			out.label.push_back(label_[v]);
 			out.surfaceVertex.push_back(v);
 		}
 		chooseRepresentatives(out);
@@ -498,7 +485,7 @@ private:
 			if (v >= 0 && isOpenVertex(v)) out.sampleVertex[s] = firstOpen + openIndex(v);
 		}
 		for (std::size_t i = 0; i < openVertices_.size(); ++i) {
-			const int v = openVertices_[i], s = labelOf(v);
+			const int v = openVertices_[i], s = label_[v];
 			if (s < sampling_.boundarySampleNum) continue;
 			int& best = out.sampleVertex[s];
 			if (best < 0 ||
@@ -545,13 +532,13 @@ private:
 		const int  v         = openVertices_[i];
 		const int  firstOpen = int(out.label.size() - openVertices_.size());
 		const auto vertexOf  = [&](int w) {
-            return isOpenVertex(w) ? firstOpen + openIndex(w) : out.sampleVertex[labelOf(w)];
+            return isOpenVertex(w) ? firstOpen + openIndex(w) : out.sampleVertex[label_[w]];
 		};
 		forEachOutgoing(m_, v, [&](int h) {
 			const int a = m_.target(h), b = m_.apex(h);
 			// Each open corner of a face finds the face; only the smallest corner counts.
 			if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
-			if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
+			if (label_[a] == label_[b] && !isOpenVertex(a)) return;
 			found.push_back({firstOpen + i, vertexOf(a), vertexOf(b)});
 		});
 	}
