@@ -5,7 +5,7 @@
 
 #include "half_edge_mesh.h"
 
-#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/base/poller.h>
 
 #include <vector>
 
@@ -25,7 +25,7 @@ Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinke
 {
 	Components       found;
 	std::vector<int> stack;
-	int              visitedNum = 0;
+	Poller           poller(workers);
 	found.ofFace.assign(std::size_t(m.faceNum), -1);
 	const auto visit = [&](int f) {
 		if (found.ofFace[f] >= 0) return;
@@ -38,7 +38,7 @@ Components findComponents(const HalfEdgeMesh& m, Workers& workers, const IsLinke
 		while (!stack.empty()) {
 			const int g = stack.back();
 			stack.pop_back();
-			if ((++visitedNum & 0xffff) == 0) workers.poll();
+			poller.count();
 			for (int h = 3 * g; h < 3 * g + 3; ++h) {
 				if (m.opposite[h] >= 0 && isLinked(h)) visit(m.opposite[h] / 3);
 			}

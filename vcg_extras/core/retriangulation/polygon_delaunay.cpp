@@ -84,11 +84,9 @@ void PolygonDelaunay::classify(int i)
 
 bool PolygonDelaunay::isForbidden(int i, int j) const
 {
-	for (const std::pair<int, int>& pair : forbidden) {
-		if ((pair.first == i && pair.second == j) || (pair.first == j && pair.second == i))
-			return true;
-	}
-	return false;
+	return std::any_of(forbidden.begin(), forbidden.end(), [&](const std::pair<int, int>& pair) {
+		return pair == std::pair(i, j) || pair == std::pair(j, i);
+	});
 }
 
 /// Whether the triangle at corner i lies within the rest of the polygon. Only reflex corners can
