@@ -76,6 +76,19 @@ std::int64_t loopNum(const std::vector<EdgeSide>& border, std::size_t vertexNum,
 	return std::int64_t(roots.size());
 }
 
+/// Joins the corners of each face in `sets`. Returns the edges of the border.
+std::vector<EdgeSide> joinCorners(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
+{
+	return workers.collectEach<EdgeSide>(m.faceNum, [&](int f, std::vector<EdgeSide>& border) {
+		const int* v = &m.origin[3 * f];
+		sets.unite(v[0], v[1]);
+		sets.unite(v[0], v[2]);
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (m.opposite[h] < 0) border.push_back(edgeSide(m.origin[h], m.target(h), h));
+		}
+	});
+}
+
 /// Fills components, boundaryLoops and eulerCharacteristic.
 void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
@@ -227,23 +240,6 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 	q.valence6Percent = valence6Percent(mesh);
 	return q;
 }
-
-namespace {
-
-/// Joins the corners of each face in `sets`. Returns the edges of the border.
-std::vector<EdgeSide> joinCorners(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
-{
-	return workers.collectEach<EdgeSide>(m.faceNum, [&](int f, std::vector<EdgeSide>& border) {
-		const int* v = &m.origin[3 * f];
-		sets.unite(v[0], v[1]);
-		sets.unite(v[0], v[2]);
-		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			if (m.opposite[h] < 0) border.push_back(edgeSide(m.origin[h], m.target(h), h));
-		}
-	});
-}
-
-} // namespace
 
 MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 {
