@@ -30,14 +30,10 @@ bool repeatsIndex(const std::array<std::int32_t, 3>& corner)
 	return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 }
 
-Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& badNum)
+std::int64_t nonFiniteNum(const MeshView& input, Workers& workers)
 {
-	Buffer<char> finite(input.vertexNum);
-	badNum = workers.sumEach<std::int64_t>(input.vertexNum, [&](int v, std::int64_t& bad) {
-		finite[v] = isFinite(input.position(v));
-		bad += !finite[v];
-	});
-	return finite;
+	return workers.sumEach<std::int64_t>(
+		input.vertexNum, [&](int v, std::int64_t& num) { num += !isFinite(input.position(v)); });
 }
 
 /// Room for the few faces and vertices added to most scans by splitting long edges. Untouched
@@ -48,8 +44,7 @@ std::size_t withRoom(std::size_t n)
 }
 
 /// Copies the usable faces in their order; sourceFace is the face of the input.
-void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& workers,
-			   IndexedMesh& mesh, CleanCounts& counts)
+void copyFaces(const MeshView& input, Workers& workers, IndexedMesh& mesh, CleanCounts& counts)
 {
 	mesh.triangle.reset(withRoom(3 * input.faceNum));
 	mesh.sourceFace.reset(withRoom(input.faceNum));
@@ -64,7 +59,9 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 	if (counts.repeatedIndexFaces == 0 && counts.nonFiniteVertices == 0) return;
 	const std::vector<int> usable = workers.collectIf(input.faceNum, [&](int f) {
 		const auto corner = input.triangle(f);
-		return !repeatsIndex(corner) && finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
+		return !repeatsIndex(corner) &&
+			   std::all_of(corner.begin(), corner.end(),
+						   [&](std::int32_t v) { return isFinite(input.position(v)); });
 	});
 	keepFaces(mesh, usable, workers);
 }
@@ -152,9 +149,9 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	if (input.faceNum == 0) throw Failure(Status::UnusableInput, "The mesh has no faces.");
 	requireVertexNumbers(input, workers);
 
-	IndexedMesh        mesh;
-	const Buffer<char> finite = findFinite(input, workers, counts.nonFiniteVertices);
-	copyFaces(input, finite, workers, mesh, counts);
+	IndexedMesh mesh;
+	counts.nonFiniteVertices = nonFiniteNum(input, workers);
+	copyFaces(input, workers, mesh, counts);
 	if (mesh.faceNum == 0) {
 		throw Failure(Status::UnusableInput, "No face has three different, finite vertices.");
 	}
