@@ -12,9 +12,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -201,25 +201,19 @@ private:
 		sources_.push_back({sources[0], sources[1]});
 	}
 
+	/// Joins the pairs that bend least first; equal pairs in their order.
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
-		for (;;) {
-			float best  = HUGE_VALF;
-			int   bestG = -1, bestH = -1;
-			for (std::size_t i = begin; i < end; ++i) {
-				for (std::size_t k = i + 1; k < end; ++k) {
-					const int g = sides[i].halfEdge, h = sides[k].halfEdge;
-					if (m_.link[g] >= 0 || m_.link[h] >= 0) continue;
-					const float b = bend(g, h);
-					if (b < best) {
-						best  = b;
-						bestG = g;
-						bestH = h;
-					}
-				}
+		std::vector<std::tuple<float, int, int>> pairs; // bend and half-edges
+		for (std::size_t i = begin; i < end; ++i) {
+			for (std::size_t k = i + 1; k < end; ++k) {
+				const int g = sides[i].halfEdge, h = sides[k].halfEdge;
+				pairs.push_back({bend(g, h), g, h});
 			}
-			if (bestG < 0) return;
-			join(bestG, bestH);
+		}
+		std::sort(pairs.begin(), pairs.end());
+		for (const auto& [bent, g, h] : pairs) {
+			if (m_.link[g] < 0 && m_.link[h] < 0) join(g, h);
 		}
 	}
 };
@@ -324,30 +318,24 @@ void drawTipsApart(Linked& m, const std::vector<int>& corners)
 {
 	constexpr float share = 1 / 32.0f;
 	struct Tip {
-		int   vertex;
-		Vec3f at;
+		bool  isClosed  = true;
+		int   cornerNum = 0;
+		Vec3f way; ///< sum of the ways to the ring
 	};
-	IndexedMesh&                     mesh = m.mesh;
-	std::vector<std::pair<int, int>> atVertex; // vertex and corner
-	atVertex.reserve(corners.size());
-	for (int h : corners)
-		atVertex.emplace_back(mesh.triangle[h], h);
-	sortPolled(atVertex.begin(), atVertex.end(), m.workers);
-	std::vector<Tip> tips;
-	for (std::size_t i = 0; i < atVertex.size();) {
-		const std::size_t first    = i;
-		const int         v        = atVertex[i].first;
-		bool              isClosed = true;
-		Vec3f             way;
-		for (; i < atVertex.size() && atVertex[i].first == v; ++i) {
-			const int h = atVertex[i].second;
-			isClosed    = isClosed && m.link[h] >= 0 && m.link[prevInFace(h)] >= 0;
-			way += mesh.position[mesh.triangle[nextInFace(h)]] - mesh.position[v];
-		}
-		if (isClosed) tips.push_back({v, mesh.position[v] + way * (share / float(i - first))});
+	IndexedMesh&       mesh = m.mesh;
+	std::map<int, Tip> tips; // by vertex
+	Poller             poller(m.workers);
+	for (int h : corners) {
+		poller.count();
+		const int v   = mesh.triangle[h];
+		Tip&      tip = tips[v];
+		tip.isClosed  = tip.isClosed && m.link[h] >= 0 && m.link[prevInFace(h)] >= 0;
+		tip.way += mesh.position[mesh.triangle[nextInFace(h)]] - mesh.position[v];
+		++tip.cornerNum;
 	}
-	for (const Tip& tip : tips)
-		mesh.position[tip.vertex] = tip.at;
+	for (const auto& [v, tip] : tips) {
+		if (tip.isClosed) mesh.position[v] += tip.way * (share / float(tip.cornerNum));
+	}
 }
 
 /// Gives every fan of faces at a vertex a vertex of its own; the fan with the first corner keeps
@@ -403,22 +391,21 @@ public:
 		findSlits(faces);
 		if (m_.junctions == JunctionMode::Keep) addBordersBeside(faces);
 		if (slits_.empty()) return;
-		sortPolled(slits_.begin(), slits_.end(), m_.workers);
-		middle_.assign(slits_.size(), -1);
 		const std::size_t faceNum = mesh_.faceNum + slits_.size();
 		makeRoom(mesh_.triangle, 3 * faceNum, m_.workers);
 		makeRoom(mesh_.sourceFace, faceNum, m_.workers);
 		makeRoom(mesh_.position, mesh_.vertexNum + slits_.size(), m_.workers);
-		for (std::size_t i = 0; i < slits_.size(); ++i) {
-			if (i == 0 || slits_[i - 1] / 3 != slits_[i] / 3) splitFace(slits_[i]);
+		int last = -1;
+		for (const auto& slit : slits_) {
+			if (std::exchange(last, slit.first / 3) != slit.first / 3) splitFace(slit.first);
 		}
 	}
 
 private:
-	Linked&          m_;
-	IndexedMesh&     mesh_;
-	std::vector<int> slits_;  ///< half-edges to split, ascending
-	std::vector<int> middle_; ///< per slit: the new vertex, the same on both linked sides
+	Linked&      m_;
+	IndexedMesh& mesh_;
+	/// Half-edges to split, each with the new vertex or -1; the same vertex on both linked sides.
+	std::map<int, int> slits_;
 
 	void findSlits(const std::vector<int>& faces)
 	{
@@ -436,7 +423,7 @@ private:
 			}
 			for (std::size_t i = begin; i < end; ++i) {
 				const int h = sides[i].halfEdge;
-				if (h != keeper && m_.link[h] != keeper) slits_.push_back(h);
+				if (h != keeper && m_.link[h] != keeper) slits_[h] = -1;
 			}
 		});
 	}
@@ -456,17 +443,16 @@ private:
 	void addBordersBeside(const std::vector<int>& faces)
 	{
 		std::set<Place> places;
-		for (int h : slits_)
-			places.insert(placeOf(h));
+		for (const auto& slit : slits_)
+			places.insert(placeOf(slit.first));
 		if (places.empty()) return;
 		Poller poller(m_.workers);
 		for (int f : faces) {
 			poller.count();
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				if (m_.link[h] < 0 && places.count(placeOf(h)) > 0) slits_.push_back(h);
+				if (m_.link[h] < 0 && places.count(placeOf(h)) > 0) slits_[h] = -1;
 			}
 		}
-		sortUnique(slits_);
 	}
 
 	/// Splits a face into a fan of triangles, with the new vertices in its outline. first: the
@@ -477,7 +463,7 @@ private:
 		std::vector<int> outline;
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
 			outline.push_back(mesh_.triangle[h]);
-			if (placeIn(slits_, h) >= 0) outline.push_back(middleOf(h));
+			if (slits_.count(h) > 0) outline.push_back(middleOf(h));
 		}
 		// The fan starts at a new vertex, so that no triangle has three points on an edge.
 		std::rotate(outline.begin(), outline.begin() + 1 + first % 3, outline.end());
@@ -490,16 +476,14 @@ private:
 		}
 	}
 
-	int& middleAt(int h) { return middle_[placeIn(slits_, h)]; }
-
 	int middleOf(int h)
 	{
 		const int other = m_.link[h];
-		if (other >= 0 && middleAt(other) >= 0) return middleAt(other);
+		if (other >= 0 && slits_.at(other) >= 0) return slits_.at(other);
 		const Vec3f a                   = mesh_.position[mesh_.triangle[h]];
 		const Vec3f b                   = mesh_.position[mesh_.triangle[nextInFace(h)]];
 		mesh_.position[mesh_.vertexNum] = (a + b) * 0.5f;
-		return middleAt(h)              = mesh_.vertexNum++;
+		return slits_.at(h)             = mesh_.vertexNum++;
 	}
 };
 
