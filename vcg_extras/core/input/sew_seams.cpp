@@ -66,26 +66,17 @@ struct Seam {
 	bool sameDirection;
 };
 
-/// Disjoint sets of numbers; each number is turned over or not against the other numbers of its
-/// set. Each number is two items: as it is, and turned over.
-class TurnableSets {
-public:
-	explicit TurnableSets(std::size_t num) : parent_(numbersBelow(2 * num)) {}
-
-	/// Joins a and b, turned over against each other or not. False if a and b are already joined
-	/// with the other value of `turned`.
-	bool join(int a, int b, bool turned)
-	{
-		const int same = 2 * b + turned, other = 2 * b + !turned;
-		if (rootOf(parent_, 2 * a) == rootOf(parent_, other)) return false;
-		joinSets(parent_, 2 * a, same);
-		joinSets(parent_, 2 * a + 1, other);
-		return true;
-	}
-
-private:
-	std::vector<int> parent_;
-};
+/// Joins faces a and b, turned over against each other or not. False if a and b are already joined
+/// with the other value of `turned`. parts: for union_find.h, two items a face: as it is, and
+/// turned over.
+bool joinTurned(std::vector<int>& parts, int a, int b, bool turned)
+{
+	const int same = 2 * b + turned, other = 2 * b + !turned;
+	if (rootOf(parts, 2 * a) == rootOf(parts, other)) return false;
+	joinSets(parts, 2 * a, same);
+	joinSets(parts, 2 * a + 1, other);
+	return true;
+}
 
 /// Sews a mesh with a known border.
 class Sewing {
@@ -190,19 +181,19 @@ private:
 	{
 		const auto isReverse = [](const Seam& s) { return s.sameDirection; };
 		if (std::none_of(seams_.begin(), seams_.end(), isReverse)) return;
-		TurnableSets parts(std::size_t(mesh_.faceNum));
+		std::vector<int> parts = numbersBelow(2 * std::size_t(mesh_.faceNum));
 		joinNeighbours(parts);
 		// Seams without turning come first.
 		for (bool turning : {false, true}) {
 			const auto isOneSided = [&](const Seam& s) {
 				return s.sameDirection == turning &&
-					   !parts.join(s.halfEdge[0] / 3, s.halfEdge[1] / 3, turning);
+					   !joinTurned(parts, s.halfEdge[0] / 3, s.halfEdge[1] / 3, turning);
 			};
 			seams_.erase(std::remove_if(seams_.begin(), seams_.end(), isOneSided), seams_.end());
 		}
 	}
 
-	void joinNeighbours(TurnableSets& parts) const
+	void joinNeighbours(std::vector<int>& parts) const
 	{
 		const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
 			3 * std::size_t(mesh_.faceNum), std::size_t(mesh_.vertexNum),
@@ -213,7 +204,7 @@ private:
 			poller.count();
 			if (end - begin != 2) return;
 			const int g = sides[begin].halfEdge, h = sides[begin + 1].halfEdge;
-			parts.join(g / 3, h / 3, mesh_.triangle[g] == mesh_.triangle[h]);
+			joinTurned(parts, g / 3, h / 3, mesh_.triangle[g] == mesh_.triangle[h]);
 		});
 	}
 
