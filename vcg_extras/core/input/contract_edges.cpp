@@ -50,7 +50,7 @@ public:
 			(isInside(v) ? in : out).push_back(v);
 		if (in.size() == 3) ++innerFaceNum_;
 		if (in.size() == 2) {
-			++facesTo_[out[0]];
+			--pieceNum_[out[0]];
 			apexOf_[std::minmax({in[0], in[1]})] = out[0];
 		}
 		if (in.size() == 1) addOpposite(std::minmax({out[0], out[1]}));
@@ -73,12 +73,11 @@ public:
 		}
 	}
 
-	bool staysTheSame() const
+	/// To be asked once.
+	bool staysTheSame()
 	{
 		if (hasTwins_) return false;
-		std::map<int, int> pieceNum; // per vertex beside the cluster: edges to the cluster, less
-									 // the faces between
-		std::set<int> border;
+		std::set<int> border; // vertices of the cluster
 		int           innerEdgeNum = 0, innerBorderEdgeNum = 0;
 		for (const auto& [edge, faceNum] : faceNum_) {
 			const auto [a, b] = edge;
@@ -86,30 +85,28 @@ public:
 			const bool isInner = isInside(a) && isInside(b);
 			innerEdgeNum += isInner;
 			innerBorderEdgeNum += isInner && faceNum == 1;
-			if (faceNum == 1) border.insert({a, b});
-			if (!isInner) ++pieceNum[isInside(a) ? b : a];
+			for (int v : {a, b}) {
+				if (faceNum == 1 && isInside(v)) border.insert(v);
+			}
+			if (!isInner) ++pieceNum_[isInside(a) ? b : a];
 		}
 		if (int(cluster_.size()) - innerEdgeNum + innerFaceNum_ != 1) return false;
-		for (const auto& [beside, num] : facesTo_)
-			pieceNum[beside] -= num;
-		for (const auto& [beside, num] : pieceNum) {
+		for (const auto& [beside, num] : pieceNum_) {
 			if (num != 1) return false;
 		}
-		const auto borderNum =
-			std::count_if(border.begin(), border.end(), [&](int v) { return isInside(v); });
-		return borderNum == 0 || borderNum - innerBorderEdgeNum == 1;
+		return border.empty() || int(border.size()) - innerBorderEdgeNum == 1;
 	}
 
 private:
 	const std::vector<int>& cluster_; ///< ascending
 	int                     innerFaceNum_ = 0;
-	std::map<int, int>      facesTo_; ///< per vertex beside the cluster: faces with an edge of the
-									  ///< cluster
-	std::map<Edge, int> apexOf_;      ///< per edge of the cluster: the third corner of a face
-	std::map<Edge, int> faceNum_;     ///< per edge with an end in the cluster
-	std::set<Edge>      opposite_;    ///< edges opposite to the cluster, of faces with a corner in
-									  ///< the cluster
-	bool hasTwins_ = false;           ///< two faces would have the same vertices
+	std::map<int, int>      pieceNum_; ///< per vertex beside the cluster: edges to the cluster,
+									   ///< added last, less the faces between
+	std::map<Edge, int> apexOf_;       ///< per edge of the cluster: the third corner of a face
+	std::map<Edge, int> faceNum_;      ///< per edge with an end in the cluster
+	std::set<Edge>      opposite_;     ///< edges opposite to the cluster, of faces with a corner in
+									   ///< the cluster
+	bool hasTwins_ = false;            ///< two faces would have the same vertices
 
 	bool isInside(int v) const { return std::binary_search(cluster_.begin(), cluster_.end(), v); }
 	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
@@ -127,7 +124,7 @@ private:
 		++inner->second;
 		++faceNum_[std::minmax({a, beside})];
 		++faceNum_[std::minmax({b, beside})];
-		++facesTo_[beside];
+		--pieceNum_[beside];
 	}
 };
 
