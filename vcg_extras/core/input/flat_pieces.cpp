@@ -22,11 +22,6 @@ constexpr float minWidth = 1e-6f;
 /// Height over length.
 constexpr float minSlope = 1e-3f;
 
-float longestEdge(const HalfEdgeMesh& m, int f)
-{
-	return std::max({m.edgeLength(3 * f), m.edgeLength(3 * f + 1), m.edgeLength(3 * f + 2)});
-}
-
 /// corner: the first of the three corners of a face.
 bool isThin(const Buffer<Vec3f>& position, const int* corner)
 {
@@ -84,7 +79,7 @@ public:
 	std::vector<int> run()
 	{
 		for (int i = 0; i < int(thin_.size()); ++i) {
-			if (!seen_[i] && collectThin(i) && isLine()) markGone();
+			if (!seen_[i]) judge(i);
 		}
 		peelBorders();
 		std::vector<int> flat;
@@ -102,7 +97,6 @@ private:
 	std::vector<char>   seen_, gone_;
 	std::vector<int>    pieceOf_; ///< another face of the same dropped piece; the head: itself
 	std::vector<Extent> extent_;  ///< of the piece with this head
-	std::vector<int>    joined_;  ///< joined thin faces
 
 	/// The thin face beyond half-edge h, or -1.
 	int thinBeyond(int h) const
@@ -112,37 +106,27 @@ private:
 
 	// ---- whole components
 
-	/// Collects the thin faces joined to a thin face. Returns whether these are a whole component.
-	bool collectThin(int first)
+	/// Marks the thin faces joined to a thin face, if these are a whole component and a line.
+	void judge(int first)
 	{
-		bool isWhole = true;
-		seen_[first] = 1;
-		joined_.assign(1, first);
-		for (std::size_t i = 0; i < joined_.size(); ++i) {
+		bool             isWhole = true;
+		std::vector<int> joined{first};
+		Extent           all = extent_[first];
+		seen_[first]         = 1;
+		for (std::size_t i = 0; i < joined.size(); ++i) {
 			poller_.count();
-			const int f = thin_[joined_[i]];
+			const int f = thin_[joined[i]];
+			if (i > 0) all.add(extent_[joined[i]]);
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
 				const int k = thinBeyond(h);
 				isWhole     = isWhole && (k >= 0 || m_.isBorderEdge(h));
 				if (k < 0 || seen_[k]) continue;
 				seen_[k] = 1;
-				joined_.push_back(k);
+				joined.push_back(k);
 			}
 		}
-		return isWhole;
-	}
-
-	bool isLine() const
-	{
-		Extent all = extent_[joined_[0]];
-		for (std::size_t i = 1; i < joined_.size(); ++i)
-			all.add(extent_[joined_[i]]);
-		return all.isLine();
-	}
-
-	void markGone()
-	{
-		for (int i : joined_)
+		if (!isWhole || !all.isLine()) return;
+		for (int i : joined)
 			gone_[i] = 1;
 	}
 
@@ -205,8 +189,9 @@ private:
 			border = h;
 		}
 		if (borderNum == 2) return true;
-		return borderNum == 1 && m_.edgeLength(border) >= longestEdge(m_, f) &&
-			   isInner(m_.apex(border));
+		return borderNum == 1 && isInner(m_.apex(border)) &&
+			   m_.edgeLength(border) >= m_.edgeLength(nextInFace(border)) &&
+			   m_.edgeLength(border) >= m_.edgeLength(prevInFace(border));
 	}
 
 	bool isInner(int v) const
