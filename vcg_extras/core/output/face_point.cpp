@@ -14,31 +14,23 @@ namespace {
 /// A walk is good enough if it ends this near to the goal, over the length of the walk.
 constexpr float nearEnough = 0.2f;
 
-/// The faces from which a walk may begin: from a crease, most faces lead astray.
-std::vector<int> facesToBeginIn(const HalfEdgeMesh& m, const ResultMesh& result, int v)
-{
-	const SurfacePoint& point = result.vertex[v].point;
-	return isFree(result, v) ? std::vector<int>{point.face} : facesAt(m, point);
-}
-
 /// The best end so far of the walks to a goal.
 struct BestEnd {
 	SurfacePoint at;
 	float        squaredMiss = HUGE_VALF;
 
-	void tryFrom(const HalfEdgeMesh& m, SurfacePoint from, const Vec3f& goal)
+	/// From all faces at a vertex that is not free: from a crease, most faces lead astray.
+	void tryFrom(const HalfEdgeMesh& m, const ResultMesh& result, int v, const Vec3f& goal)
 	{
-		walk(m, from, goal - from.position);
-		const float miss = squaredLength(from.position - goal);
-		if (miss >= squaredMiss) return;
-		squaredMiss = miss;
-		at          = from;
-	}
-
-	void tryFromVertex(const HalfEdgeMesh& m, const ResultMesh& result, int v, const Vec3f& goal)
-	{
-		for (int face : facesToBeginIn(m, result, v))
-			tryFrom(m, {result.vertex[v].point.position, face}, goal);
+		const SurfacePoint& point = result.vertex[v].point;
+		for (int face : isFree(result, v) ? std::vector<int>{point.face} : facesAt(m, point)) {
+			SurfacePoint end{point.position, face};
+			walk(m, end, goal - point.position);
+			const float miss = squaredLength(end.position - goal);
+			if (miss >= squaredMiss) continue;
+			squaredMiss = miss;
+			at          = end;
+		}
 	}
 };
 
@@ -52,7 +44,7 @@ Vec3f normalSeenFrom(const Surface& surface, const ResultMesh& result, int h)
 	for (int k = -1; k < 3; ++k) {
 		const Vec3f other = k < 0 ? middle : r.position[r.origin[3 * (h / 3) + k]];
 		BestEnd     best;
-		best.tryFromVertex(surface.mesh, result, r.origin[h], (middle + other) * 0.5f);
+		best.tryFrom(surface.mesh, result, r.origin[h], (middle + other) * 0.5f);
 		if (best.at.face >= 0) sum += surface.mesh.faceNormal(best.at.face);
 	}
 	return sum;
@@ -69,7 +61,7 @@ SurfacePoint pointOfFace(const Surface& surface, const ResultMesh& result, int f
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
 		const int   v       = r.origin[h];
 		const float wayLong = length(middle - result.vertex[v].point.position);
-		best.tryFromVertex(surface.mesh, result, v, middle);
+		best.tryFrom(surface.mesh, result, v, middle);
 		if (best.squaredMiss <= nearEnough * nearEnough * wayLong * wayLong) break;
 	}
 	return best.at.face >= 0 ? best.at : result.vertex[r.origin[3 * f]].point;
