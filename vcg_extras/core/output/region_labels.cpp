@@ -53,7 +53,7 @@ public:
 		std::vector<char> isSeen(piece_.size(), 0);
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
 			isSeen[pieceOf_[f]] = 1;
-			moveIntoPiece(pieceOf_[f], middle_[f]);
+			moveIntoPiece(int(f));
 		}
 		RegionLabels out;
 		out.middle = std::move(middle_);
@@ -67,18 +67,17 @@ public:
 	}
 
 private:
-	const Surface&                        surface_;
-	const ResultMesh&                     result_;
-	Workers&                              workers_;
-	const Components                      pieces_; ///< of the surface
-	const Components                      cells_;  ///< of the result
-	std::vector<RegionPiece>              piece_;
-	std::vector<SurfacePoint>             middle_;
-	std::vector<int>                      pieceOf_;   ///< per face of the result, or none
-	std::vector<int>                      faceNumOf_; ///< per piece: its faces of the result
-	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece: area of faces
+	const Surface&                surface_;
+	const ResultMesh&             result_;
+	Workers&                      workers_;
+	const Components              pieces_; ///< of the surface
+	const Components              cells_;  ///< of the result
+	std::vector<RegionPiece>      piece_;
+	std::vector<SurfacePoint>     middle_;
+	std::vector<int>              pieceOf_;   ///< per face of the result, or none
+	std::vector<int>              faceNumOf_; ///< per piece: its faces of the result
 	std::vector<std::vector<int>> homeOf_; ///< per cell: the pieces at home in the cell, ascending
-	std::vector<int>              reached_, lookedAtFor_; ///< of moveIntoPiece
+	std::vector<int> lookedAtFor_; ///< per face of the surface: the last face moved from there
 
 	static std::int32_t labelOf(const MeshView& input, const Surface& surface, int f)
 	{
@@ -107,15 +106,16 @@ private:
 
 	void findHomes()
 	{
+		std::map<std::pair<int, int>, double> areaOf; // by cell and piece: area of faces
 		std::vector<double> ofCell(std::size_t(cells_.num), 0), ofPiece(piece_.size(), 0);
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
 			const double area = double(length(result_.mesh.faceCross(int(f))));
-			areaOf_[{cells_.ofFace[f], pieceOf_[f]}] += area;
+			areaOf[{cells_.ofFace[f], pieceOf_[f]}] += area;
 			ofCell[cells_.ofFace[f]] += area;
 			ofPiece[pieceOf_[f]] += area;
 		}
 		homeOf_.resize(ofCell.size());
-		for (const auto& [where, area] : areaOf_) {
+		for (const auto& [where, area] : areaOf) {
 			const auto [cell, piece] = where;
 			if (area >= shareOfCell * ofCell[cell] || area >= shareOfPiece * ofPiece[piece])
 				homeOf_[cell].push_back(piece);
@@ -198,33 +198,29 @@ private:
 		return std::count(round.begin(), round.end(), own) == 0 && faceNumOf_[own] == 1;
 	}
 
-	/// Moves a point beyond the border of its piece to the middle of the nearest face of the piece,
-	/// in steps over edges. Such a face exists: the piece is at home because middles lie in the
-	/// piece.
-	void moveIntoPiece(int piece, SurfacePoint& at)
+	/// Moves the middle of a face beyond the border of its piece to the middle of the nearest face
+	/// of the piece, in steps over edges. Such a face exists: the piece is at home because middles
+	/// lie in the piece.
+	void moveIntoPiece(int face)
 	{
-		const HalfEdgeMesh& m = surface_.mesh;
-		if (pieces_.ofFace[at.face] == piece) return;
-		if (lookedAtFor_.empty()) lookedAtFor_.assign(std::size_t(m.faceNum), -1);
-		const int first = at.face;
-		reached_.assign(1, first);
-		const int mark      = ++lookedAt_;
-		lookedAtFor_[first] = mark;
-		for (std::size_t i = 0; i < reached_.size(); ++i) {
-			const int f = reached_[i];
+		const HalfEdgeMesh& m     = surface_.mesh;
+		const int           piece = pieceOf_[face], first = middle_[face].face;
+		if (pieces_.ofFace[first] == piece) return;
+		if (lookedAtFor_.empty()) lookedAtFor_.assign(std::size_t(m.faceNum), none);
+		std::vector<int> reached{first};
+		lookedAtFor_[first] = face;
+		for (std::size_t i = 0; i < reached.size(); ++i) {
+			const int f = reached[i];
 			if (pieces_.ofFace[f] == piece) {
-				at = {m.faceCentre(f), f};
+				middle_[face] = {m.faceCentre(f), f};
 				return;
 			}
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
 				const int g = m.opposite[h] < 0 ? f : m.opposite[h] / 3;
-				if (lookedAtFor_[g] == mark) continue;
-				lookedAtFor_[g] = mark;
-				reached_.push_back(g);
+				if (std::exchange(lookedAtFor_[g], face) != face) reached.push_back(g);
 			}
 		}
 	}
-	int lookedAt_ = 0;
 };
 
 } // namespace
