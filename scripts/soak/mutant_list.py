@@ -161,7 +161,7 @@ MUTANTS = [
     ("periodic: floats", "input/matched_border.cpp",
      "if (!input_.doublePrecision) place = Vec3d(Vec3f(place));", ""),
     ("periodic: mismatch", "input/periodic_border.cpp",
-     "if (!misses.empty()) refuse(misses, position, vertices);", ""),
+     "if (!misses.empty()) refuse(misses, mesh, vertices);", ""),
     ("sizes by the error: edges are cut at the disk", "sampling/error_sizes.cpp",
      "return before + shareInside(e, squaredRadius) * (beyond - before);", "return beyond;"),
     ("sizes by the error: noise", "sampling/error_sizes.cpp", "constexpr float noiseFactor = 2.5f;",

@@ -55,7 +55,7 @@ public:
 	BorderSampling(const MeshView& input, double edgeLength, const Vec3d& period,
 				   Workers& workers) :
 			input_(input),
-			edge_(edgeLength), workers_(workers), isKept(input.vertexNum, 0)
+			edge_(edgeLength), workers_(workers)
 	{
 		numberPlaces();
 		findEdges();
@@ -64,8 +64,6 @@ public:
 		link();
 		findStops();
 		samplePieces();
-		for (std::size_t v = 0; v < isKept.size(); ++v)
-			isKept[v] = isKeptPlace_[place_[v]];
 	}
 
 private:
@@ -78,8 +76,10 @@ private:
 	std::map<int, std::vector<int>> edgesAt_; ///< per place
 
 public:
-	std::vector<BorderEdge>   edge;
-	std::vector<std::uint8_t> isKept; ///< per vertex of the input mesh
+	std::vector<BorderEdge> edge;
+
+	/// Whether a vertex of the input mesh is a border vertex of the future result.
+	bool isKept(std::size_t v) const { return isKeptPlace_[place_[v]] != 0; }
 
 	/// Whether the side of edge e from a corner has the direction of the edge.
 	bool isAlong(int e, int corner) const { return placeOf(corner) == edge[e].begin; }
@@ -119,9 +119,9 @@ private:
 		std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
 			return isBefore(positionOf(a), positionOf(b));
 		});
-		for (std::size_t i = 0; i < order.size(); ++i) {
-			const bool isSame = i > 0 && positionOf(order[i]) == positionOf(order[i - 1]);
-			place_[order[i]]  = isSame ? place_[order[i - 1]] : order[i];
+		for (std::size_t i = 1; i < order.size(); ++i) {
+			if (positionOf(order[i]) == positionOf(order[i - 1]))
+				place_[order[i]] = place_[order[i - 1]];
 		}
 		isKeptPlace_.assign(place_.size(), 0);
 	}
@@ -190,14 +190,11 @@ private:
 	void findTranslates(const Vec3d& period)
 	{
 		if (period == Vec3d()) return;
-		std::vector<Vec3d>                position;
 		std::vector<PeriodicBorder::Edge> ends;
-		for (std::size_t v = 0; v < input_.vertexNum; ++v)
-			position.push_back(input_.position(v));
 		for (int e = 0; e < int(edge.size()); ++e) {
 			if (!edge[e].isOfJunction()) ends.push_back(edge[e].ends());
 		}
-		periodic_ = PeriodicBorder(position, ends, period);
+		periodic_ = PeriodicBorder(input_, ends, period);
 		for (BorderEdge& e : edge)
 			e.shift = periodic_.shiftOf(e.ends());
 	}
@@ -362,8 +359,8 @@ private:
 		if (whole > mostSamples * edge_)
 			throw Failure(Status::OutOfMemory, "The border would have too many vertices.");
 		const int num = std::max(isClosed ? 3 : least, int(std::round(whole / edge_)));
-		keep(piece.front());
-		keepEnd(piece.back());
+		keep(edge[piece.front()].begin);
+		keep(edge[piece.back()].end);
 		double arc = 0;
 		int    k   = 1;
 		for (std::size_t i = 1; i < point.size(); ++i) {
@@ -375,14 +372,14 @@ private:
 		}
 	}
 
-	void keep(int e) { isKeptPlace_[edge[e].begin] = 1; }
-	void keepEnd(int e) { isKeptPlace_[edge[e].end] = 1; }
+	void keep(int place) { isKeptPlace_[place] = 1; }
 
 	/// Puts a sample on edge e, at a share of the way from a to b. turns: a is the end of the edge.
 	void put(int e, const Vec3d& a, const Vec3d& b, double share, double len, bool turns)
 	{
-		if (share * len < nearVertex * edge_) return turns ? keepEnd(e) : keep(e);
-		if ((1 - share) * len < nearVertex * edge_) return turns ? keep(e) : keepEnd(e);
+		const auto [begin, end] = edge[e].ends();
+		if (share * len < nearVertex * edge_) return keep(turns ? end : begin);
+		if ((1 - share) * len < nearVertex * edge_) return keep(turns ? begin : end);
 		std::vector<Inside>& on   = edge[e].inside;
 		const Inside         made = {turns ? 1 - share : share, moved(a + (b - a) * share, e)};
 		on.insert(turns ? on.begin() : on.end(), made);
@@ -535,9 +532,10 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 {
 	const BorderSampling border(input, edgeLength, period, workers);
 	MatchedBorder        out;
-	out.isKept = border.isKept;
-	for (std::size_t v = 0; v < input.vertexNum; ++v)
+	for (std::size_t v = 0; v < input.vertexNum; ++v) {
 		out.positions.push_back(border.placed(v));
+		out.isKept.push_back(border.isKept(v));
+	}
 	if (input.selected != nullptr)
 		out.selected.assign(input.selected, input.selected + input.vertexNum);
 	SampleVertices samples(input, border, out);

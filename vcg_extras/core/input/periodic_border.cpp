@@ -22,11 +22,11 @@ constexpr double tolerance = 1e-4;
 /// Finds vertices near a place, in the cells of a grid that meet the neighbourhood of the place.
 class VertexGrid {
 public:
-	VertexGrid(const std::vector<Vec3d>& position, const std::vector<int>& vertices, double reach) :
-			position_(position), reach_(reach)
+	VertexGrid(const MeshView& mesh, const std::vector<int>& vertices, double reach) :
+			mesh_(mesh), reach_(reach)
 	{
 		for (const int v : vertices)
-			in_[cellOf(position[v])].push_back(v);
+			in_[cellOf(mesh.position(v))].push_back(v);
 	}
 
 	/// The nearest vertex within the reach, or none; of equally near vertices the vertex with the
@@ -41,7 +41,7 @@ public:
 			const auto found = in_.find(cellOf(to + corner));
 			if (found == in_.end()) continue;
 			for (const int v : found->second) {
-				const double d = length(position_[v] - to);
+				const double d = length(mesh_.position(v) - to);
 				if (d > far || (d == far && v >= best && best != none)) continue;
 				best = v;
 				far  = d;
@@ -52,7 +52,7 @@ public:
 
 private:
 	using Cell = std::array<double, 3>;
-	const std::vector<Vec3d>&        position_;
+	const MeshView&                  mesh_;
 	double                           reach_;
 	std::map<Cell, std::vector<int>> in_;
 
@@ -78,7 +78,7 @@ struct Miss {
 };
 
 /// Measures some of the misses and refuses the border with the largest. vertices: of the border.
-[[noreturn]] void refuse(const std::vector<Miss>& misses, const std::vector<Vec3d>& position,
+[[noreturn]] void refuse(const std::vector<Miss>& misses, const MeshView& mesh,
 						 const std::vector<int>& vertices)
 {
 	constexpr std::size_t mostMeasured = 500; // each against the whole border
@@ -88,12 +88,12 @@ struct Miss {
 	for (std::size_t i = 0; i < misses.size(); i += step) {
 		double nearest = HUGE_VAL;
 		for (const int v : vertices)
-			nearest = std::min(nearest, length(position[v] - misses[i].wanted));
+			nearest = std::min(nearest, length(mesh.position(v) - misses[i].wanted));
 		if (nearest <= mismatch) continue;
 		mismatch = nearest;
 		worst    = misses[i];
 	}
-	const Vec3d at = position[worst.vertex];
+	const Vec3d at = mesh.position(worst.vertex);
 	const bool  isMatched =
 		mismatch <= tolerance * std::abs(coordinate(worst.wanted - at, worst.axis));
 	const char* const format =
@@ -108,7 +108,7 @@ struct Miss {
 
 } // namespace
 
-PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::vector<Edge>& edges,
+PeriodicBorder::PeriodicBorder(const MeshView& mesh, const std::vector<Edge>& edges,
 							   const Vec3d& period) :
 		period_(period)
 {
@@ -119,29 +119,28 @@ PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::ve
 	sortUnique(vertices);
 	if (vertices.empty())
 		throw Failure(Status::UnusableInput, "The surface has no border for a periodic cell.");
-	root_ = numbersBelow(position.size());
-	shift_.assign(position.size(), Shift{});
+	root_ = numbersBelow(mesh.vertexNum);
+	shift_.assign(mesh.vertexNum, Shift{});
 	for (int axis = 0; axis < 3; ++axis)
-		pair(axis, position, vertices);
+		pair(axis, mesh, vertices);
 	findRoots();
-	check(position, vertices, edges);
+	check(mesh, vertices, edges);
 }
 
-void PeriodicBorder::pair(int axis, const std::vector<Vec3d>& position,
-						  const std::vector<int>& vertices)
+void PeriodicBorder::pair(int axis, const MeshView& mesh, const std::vector<int>& vertices)
 {
 	std::vector<int>& before = before_[axis];
 	std::vector<int>& after  = after_[axis];
-	before.assign(position.size(), none);
-	after.assign(position.size(), none);
+	before.assign(mesh.vertexNum, none);
+	after.assign(mesh.vertexNum, none);
 	const double by = coordinate(period_, axis);
 	if (by == 0) return;
-	const VertexGrid grid(position, vertices, tolerance * by);
+	const VertexGrid grid(mesh, vertices, tolerance * by);
 	for (const int v : vertices) {
-		const int found = grid.nearest(position[v] + alongAxis(axis, by));
+		const int found = grid.nearest(mesh.position(v) + alongAxis(axis, by));
 		// A period below the rounding of coordinates leads to no other vertex.
-		const bool isBeyond =
-			found != none && coordinate(position[found], axis) > coordinate(position[v], axis);
+		const bool isBeyond = found != none && coordinate(mesh.position(found), axis) >
+												   coordinate(mesh.position(v), axis);
 		if (!isBeyond || before[found] != none) continue;
 		before[found] = v;
 		after[v]      = found;
@@ -219,7 +218,7 @@ std::vector<PeriodicBorder::Edge> PeriodicBorder::alone(const std::vector<Edge>&
 	return found;
 }
 
-void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector<int>& vertices,
+void PeriodicBorder::check(const MeshView& mesh, const std::vector<int>& vertices,
 						   const std::vector<Edge>& edges) const
 {
 	const std::vector<Edge> unmatched = alone(edges);
@@ -227,7 +226,7 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 	for (int axis = 0; axis < 3; ++axis) {
 		const double by = coordinate(period_, axis);
 		if (by == 0) continue;
-		const auto at      = [&](int v) { return coordinate(position[v], axis); };
+		const auto at      = [&](int v) { return coordinate(mesh.position(v), axis); };
 		const auto isBelow = [&](int a, int b) { return at(a) < at(b); };
 		const auto ends    = std::minmax_element(vertices.begin(), vertices.end(), isBelow);
 		const auto lieAt   = [&](const Edge& e, int end) {
@@ -238,10 +237,10 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 			const double sign = lieAt(e, *ends.first) ? 1 : lieAt(e, *ends.second) ? -1 : 0;
 			if (sign == 0) continue;
 			for (const int v : {e.first, e.second})
-				misses.push_back({v, axis, position[v] + alongAxis(axis, sign * by)});
+				misses.push_back({v, axis, mesh.position(v) + alongAxis(axis, sign * by)});
 		}
 	}
-	if (!misses.empty()) refuse(misses, position, vertices);
+	if (!misses.empty()) refuse(misses, mesh, vertices);
 	if (unmatched.size() == edges.size())
 		throw Failure(Status::UnusableInput, "No two edges of the border lie one period apart.");
 }

@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_INPUT_PERIODIC_BORDER_H
 #define VCG_EXTRAS_CORE_INPUT_PERIODIC_BORDER_H
 
-#include <vcg_extras/core/vec.h>
+#include <vcg_extras/core/mesh_view.h>
 
 #include <array>
 #include <cstdint>
@@ -22,13 +22,12 @@ public:
 
 	/// Without a period: no vertex is a translate.
 	PeriodicBorder() = default;
-	/// position: of all vertices of the mesh; edges: of its border; period: lengths of the cell,
+	/// edges: of the border of the mesh; period: lengths of the cell,
 	/// mesh units, 0 along an axis without a period. Vertices are translates if they lie a period
 	/// apart, within 1e-4 of the period. Throws Failure with the largest mismatch if an edge at an
 	/// end of the border, along an axis with a period, has no translate, and if no edge has a
 	/// translate. Cost: O(B log B) for B edges.
-	PeriodicBorder(const std::vector<Vec3d>& position, const std::vector<Edge>& edges,
-				   const Vec3d& period);
+	PeriodicBorder(const MeshView& mesh, const std::vector<Edge>& edges, const Vec3d& period);
 
 	bool any() const { return !root_.empty(); }
 	/// The root of v: the translate of v without a translate before it; v itself if v has no
@@ -52,11 +51,11 @@ private:
 	std::vector<Shift>              shift_;
 	std::array<std::vector<int>, 3> before_, after_; ///< per vertex and axis, or -1
 
-	void pair(int axis, const std::vector<Vec3d>& position, const std::vector<int>& vertices);
+	void pair(int axis, const MeshView& mesh, const std::vector<int>& vertices);
 	void findRoots();
 	/// Edges without a translate.
 	std::vector<Edge> alone(const std::vector<Edge>& edges) const;
-	void              check(const std::vector<Vec3d>& position, const std::vector<int>& vertices,
+	void              check(const MeshView& mesh, const std::vector<int>& vertices,
 							const std::vector<Edge>& edges) const;
 };
 
