@@ -4,7 +4,6 @@
 
 #include "carry_over.h"
 
-#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
@@ -26,28 +25,17 @@ constexpr double reach = 1.5;
 /// Most faces visited for a face of the result.
 constexpr std::size_t maxFacesLookedAt = 100000;
 
-Box<double> boxOf(const MeshView& mesh)
-{
-	Box<double> box;
-	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c) {
-		const Vec3d p = mesh.position(mesh.vertexOf(c));
-		if (isFinite(p)) box.add(p);
-	}
-	return box;
-}
-
 /// Numbers the places of vertices. Vertices at the same place, by the rule by which the engine sews
 /// and welds, get the same number.
 std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 {
 	std::vector<std::int32_t> place = numbersBelow(mesh.vertexNum);
-	const Box<double>         box   = boxOf(mesh);
-	if (!canBeFramed(box)) return place;
-	const Frame    frame = frameOf(box);
+	const auto                frame = frameOf(mesh, [](std::size_t) { return true; });
+	if (!frame) return place;
 	SamePlaceTable table(mesh.vertexNum);
 	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
 		const Vec3d p = mesh.position(v);
-		if (isFinite(p)) place[v] = table.findOrPut(frame.toWorking(p), std::int32_t(v));
+		if (isFinite(p)) place[v] = table.findOrPut(frame->toWorking(p), std::int32_t(v));
 	}
 	return place;
 }
@@ -93,14 +81,14 @@ TextureSource::TextureSource(const MeshView& mesh, CornerTexture texture) :
 {
 	seam_.assign(3 * mesh.faceNum, 0);
 	beyond_.assign(3 * mesh.faceNum, -1);
-	place_ = placeNumbers(mesh_);
 	connect();
-	place_ = {};
 }
 
 /// Finds the two sides of every edge by sorting.
 void TextureSource::connect()
 {
+	const std::vector<std::int32_t> place = placeNumbers(mesh_);
+	const auto            placeOf = [&](int corner) { return place[mesh_.vertexOf(corner)]; };
 	std::vector<EdgeSide> sides;
 	sides.reserve(3 * mesh_.faceNum);
 	for (int c = 0; c < int(3 * mesh_.faceNum); ++c) {
@@ -110,14 +98,17 @@ void TextureSource::connect()
 	std::sort(sides.begin(), sides.end());
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		// The engine cuts an edge with more than two faces: a border without a way across.
-		if (end - begin == 2) link(sides[begin].halfEdge, sides[begin + 1].halfEdge);
+		if (end - begin != 2) return;
+		const int a = sides[begin].halfEdge, b = sides[begin + 1].halfEdge;
+		link(a, b, placeOf(a) == placeOf(b));
 	});
 }
 
 /// Links two corners, the edges of which (to the next corner) are the two sides of an edge.
-void TextureSource::link(int a, int b)
+/// runAlike: both in the same direction, unlike the sides of consistently oriented faces.
+void TextureSource::link(int a, int b, bool runAlike)
 {
-	if (agree(a, b)) {
+	if (agree(a, b, runAlike)) {
 		beyond_[a] = b / 3;
 		beyond_[b] = a / 3;
 		return;
@@ -127,19 +118,17 @@ void TextureSource::link(int a, int b)
 }
 
 /// Whether the texture is continuous across the edge with sides a and b.
-bool TextureSource::agree(int a, int b) const
+bool TextureSource::agree(int a, int b, bool runAlike) const
 {
 	if (!texture_.image.empty() && texture_.image[a / 3] != texture_.image[b / 3]) return false;
-	// Consistently oriented faces have the edge in opposite directions.
-	const bool isOpposite  = placeOf(a) == placeOf(nextInFace(b));
 	const auto isSameThere = [&](int x, int y) {
 		const float *atX = &texture_.uv[2 * std::size_t(x)],
 					*atY = &texture_.uv[2 * std::size_t(y)];
 		return std::abs(atX[0] - atY[0]) <= sameCoordinate &&
 			   std::abs(atX[1] - atY[1]) <= sameCoordinate;
 	};
-	return isSameThere(a, isOpposite ? nextInFace(b) : b) &&
-		   isSameThere(nextInFace(a), isOpposite ? b : nextInFace(b));
+	return isSameThere(a, runAlike ? b : nextInFace(b)) &&
+		   isSameThere(nextInFace(a), runAlike ? nextInFace(b) : b);
 }
 
 /// Carries the texture to the faces of a result, face by face.

@@ -41,13 +41,11 @@ private:
 	CornerTexture             texture_;
 	std::vector<std::uint8_t> seam_;
 	std::vector<std::int32_t> beyond_; ///< three a face: the face across; -1: seam or border
-	std::vector<std::int32_t> place_;  ///< per vertex, during connect(): see same_place.h
 	std::int64_t              seamNum_ = 0;
 
-	std::int32_t placeOf(int corner) const { return place_[mesh_.vertexOf(corner)]; }
-	void         connect();
-	void         link(int a, int b);
-	bool         agree(int a, int b) const;
+	void connect();
+	void link(int a, int b, bool runAlike);
+	bool agree(int a, int b, bool runAlike) const;
 };
 
 } // namespace gpr

@@ -4,7 +4,6 @@
 
 #include "flat_pieces.h"
 
-#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
@@ -20,19 +19,6 @@ namespace {
 constexpr float margin = 2;
 constexpr int   none   = -1;
 
-Box<double> boxOfPart(const MeshView& input, const std::vector<std::uint8_t>& isInPart)
-{
-	Box<double> box;
-	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		if (!isInPart[f]) continue;
-		for (std::int32_t v : input.triangle(f)) {
-			const Vec3d p = input.position(std::size_t(v));
-			if (isFinite(p)) box.add(p);
-		}
-	}
-	return box;
-}
-
 bool isThinIn(const Frame& frame, const MeshView& input, std::size_t f)
 {
 	std::array<Vec3f, 3> corner;
@@ -47,11 +33,10 @@ bool isThinIn(const Frame& frame, const MeshView& input, std::size_t f)
 std::vector<std::size_t> findThin(const MeshView& input, const std::vector<std::uint8_t>& isInPart)
 {
 	std::vector<std::size_t> thin;
-	const Box<double>        box = boxOfPart(input, isInPart);
-	if (!canBeFramed(box)) return thin;
-	const Frame frame = frameOf(box);
+	const auto frame = frameOf(input, [&](std::size_t f) { return isInPart[f] != 0; });
+	if (!frame) return thin;
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		if (isInPart[f] && isThinIn(frame, input, f)) thin.push_back(f);
+		if (isInPart[f] && isThinIn(*frame, input, f)) thin.push_back(f);
 	}
 	return thin;
 }

@@ -6,11 +6,13 @@
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/vec.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 namespace gpr {
@@ -32,6 +34,20 @@ bool canBeFramed(const Box<double>& box);
 /// The frame of a surface with this bounding box; the largest side becomes at least 1/2 and below
 /// 1. Needs canBeFramed.
 Frame frameOf(const Box<double>& box);
+
+/// The frame of some faces of a mesh, without corners that are not finite; nothing if their size is
+/// not usable. isIn: whether a face counts.
+template <class IsIn>
+std::optional<Frame> frameOf(const MeshView& mesh, const IsIn& isIn)
+{
+	Box<double> box;
+	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c) {
+		if (!isIn(c / 3)) continue;
+		const Vec3d p = mesh.position(std::size_t(mesh.vertexOf(c)));
+		if (isFinite(p)) box.add(p);
+	}
+	return canBeFramed(box) ? std::optional<Frame>(frameOf(box)) : std::nullopt;
+}
 
 /// Vertices and triangles without adjacency: the form of a mesh before connect().
 struct IndexedMesh {
