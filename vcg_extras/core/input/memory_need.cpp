@@ -41,13 +41,6 @@ struct FaceShape {
 		height = edge[2] > 0 ? length(cross(b - a, c - a)) / edge[2] : 0;
 	}
 
-	void halve()
-	{
-		for (float& e : edge)
-			e *= 0.5f;
-		height *= 0.5f;
-	}
-
 	bool isNeedle(float maxLength) const
 	{
 		return edge[2] > minNeedleLength * maxLength && 2 * height <= maxLength;
@@ -57,11 +50,11 @@ struct FaceShape {
 /// Estimates the parts of a face as splitLongEdges makes them: all edges are halved while the
 /// shortest edge is too long; a needle becomes a strip; any other face with a short edge becomes
 /// three faces, again and again.
-double partsOfFace(FaceShape shape, float maxLength)
+double partsOfFace(const FaceShape& shape, float maxLength)
 {
 	double parts = 1;
 	for (; shape.edge[0] > maxLength && !shape.isNeedle(maxLength); parts *= 4)
-		shape.halve();
+		maxLength *= 2; // exactly as good as to halve the face
 	const int    halvings = halvingsOfEdge(shape.edge[1], maxLength);
 	const double middle   = std::ldexp(1.0, halvings);
 	const double longest  = std::ldexp(1.0, halvingsOfEdge(shape.edge[2], maxLength));
