@@ -136,14 +136,19 @@ bool DiskFlood::goStraight(const Reached& from, const Anchor& anchor)
 	bool seesAll = true;
 	forEachNeighbour(m_, from.vertex, [&](int w) {
 		// Each anchor gives a way once. On flat ground there is no other anchor.
-		if (isReached(w) && (isFlat_ || reachedAt(w).anchor == from.anchor)) return;
+		const bool isOld = isReached(w);
+		if (isOld && (isFlat_ || reachedAt(w).anchor == from.anchor)) return;
 		const float cosine = dot(normal_[w].unpack(), anchor.normal);
 		if (!(cosine >= flatCosine)) {
 			seesAll = false;
 			return;
 		}
-		const float chord = lengthOf(anchor.place, m_.position[w]);
-		reach(w, anchor.distance + bentLength(chord, cosine), from.anchor);
+		const float chord    = lengthOf(anchor.place, m_.position[w]);
+		const float distance = anchor.distance + bentLength(chord, cosine);
+		if (isOld)
+			reachAgain(w, distance, from.anchor);
+		else
+			reachFirst(w, distance, from.anchor);
 	});
 	return seesAll;
 }
@@ -211,7 +216,11 @@ void DiskFlood::goOn(int v, float distance, const Anchor& next)
 /// False if the vertex has a way as short already.
 bool DiskFlood::reach(int v, float distance, int anchor)
 {
-	if (isReached(v)) return reachAgain(v, distance, anchor);
+	return isReached(v) ? reachAgain(v, distance, anchor) : reachFirst(v, distance, anchor);
+}
+
+bool DiskFlood::reachFirst(int v, float distance, int anchor)
+{
 	field_.mark[v] = {flood_, int(reached_.size())};
 	reached_.push_back({v, distance, anchor, true});
 	return true;

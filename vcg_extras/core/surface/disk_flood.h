@@ -166,6 +166,7 @@ private:
 						  const Vec3f& normal);
 	void           goOn(int v, float distance, const Anchor& next);
 	bool           reach(int v, float distance, int anchor);
+	bool           reachFirst(int v, float distance, int anchor);
 	bool           reachAgain(int v, float distance, int anchor);
 	void           meet(int vertex);
 };
