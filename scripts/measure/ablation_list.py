@@ -81,8 +81,7 @@ ABLATIONS = [
     ("lines", "lines grow from their ends", "features/crease_lines.cpp", "\t\t\tgrowFromEnds(sharp);\n", ""),
     ("lines", "release of crowded lines", "run/result_stages.cpp",
      "return {mayRelease && areLinesCrowded(minAngle, made.result, run.workers)};", "return {false};"),
-    ("sizes", "splitting for small sizes", "run/input_stages.cpp",
-     "if (tooLong.faces.empty()) return false;", "return false;"),
+    ("sizes", "splitting for small sizes", "run/surface_stages.cpp", "if (tooLong.faces.empty()) return;", "return;"),
 ]
 
 # What the rows above may not be deleted for one by one: all that look idle are switched off together, too.

@@ -108,40 +108,38 @@ TEST(SplitLongEdgesOf, ALongFaceIsFoundAtTheVeryEnd)
 			  std::vector<int>{m.faceNum - 1});
 }
 
-/// An edge is too long for the smaller size of its ends. All faces are found, unless only the error
-/// decides the sizes and the faces are few.
+/// An edge is too long for the smaller size of its ends. After the sizes are raised no edge is, and
+/// no other size has changed.
 TEST(SplitLongEdgesOf, FacesAreLongForTheirSizes)
 {
-	Workers workers(2, nullptr);
-	Surface s = surfaceOf(icosphere(4), workers);
-	s.size    = Buffer<float>(s.mesh.vertexNum);
+	Workers       workers(2, nullptr);
+	Surface       s    = surfaceOf(icosphere(4), workers);
+	const float   edge = s.mesh.edgeLength(0);
+	Buffer<float> size(s.mesh.vertexNum);
 	for (int v = 0; v < s.mesh.vertexNum; ++v)
-		s.size[v] = std::clamp(1.5f * s.mesh.position[v].x / s.grid.cubeSize, 0.25f, 1.0f);
-	const auto longFacesFor = [&](float limit) {
-		std::vector<int> faces;
-		for (int f = 0; f < s.mesh.faceNum; ++f) {
-			bool isLong = false;
-			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				const float least = std::min(s.size[s.mesh.origin[h]], s.size[s.mesh.target(h)]);
-				isLong            = isLong || s.mesh.edgeLength(h) > limit * least;
-			}
-			if (isLong) faces.push_back(f);
+		size[v] = std::clamp(1.5f * s.mesh.position[v].x / s.grid.cubeSize, 0.25f, 1.0f);
+	for (const float longest : {edge, 2 * edge, 4 * edge, 8 * edge}) {
+		s.size.reset(size.size());
+		std::copy(size.begin(), size.end(), s.size.begin());
+		std::vector<int>  faces;
+		std::vector<char> isCorner(size.size(), 0);
+		for (int h = 0; h < s.mesh.halfEdgeNum(); ++h) {
+			const int a = s.mesh.origin[h], b = s.mesh.target(h);
+			if (!(s.mesh.edgeLength(h) > longest * std::min(size[a], size[b]))) continue;
+			if (faces.empty() || faces.back() != h / 3) faces.push_back(h / 3);
+			isCorner[a] = isCorner[b] = 1;
 		}
-		return faces;
-	};
-	const float edge = s.mesh.edgeLength(0);
-	for (const float radius : {edge, 2 * edge, 4 * edge, 8 * edge}) {
-		const LongFaces byWish = findTooLong(s, radius, false, workers);
-		EXPECT_EQ(byWish.faces, longFacesFor(byWish.longest));
-		EXPECT_FLOAT_EQ(byWish.longest, longestEdgeInRadii * radius);
-		const LongFaces byError = findTooLong(s, radius, true, workers);
-		EXPECT_EQ(byError.faces, longFacesFor(byError.longest));
-		EXPECT_FLOAT_EQ(byError.longest, longestSingleEdge * radius);
+		const LongFaces found = findTooLong(s, longest, workers);
+		EXPECT_EQ(found.faces, faces);
+		raiseSizes(found, s);
+		EXPECT_TRUE(findTooLong(s, 1.0001f * longest, workers).faces.empty());
+		for (std::size_t v = 0; v < size.size(); ++v) {
+			EXPECT_GE(s.size[v], size[v]);
+			if (!isCorner[v]) {
+				EXPECT_EQ(s.size[v], size[v]);
+			}
+		}
 	}
-	std::fill(s.size.begin(), s.size.end(), 1.0f);
-	s.size[0] = 0.125f; // five or six of 5,120 faces
-	EXPECT_GE(findTooLong(s, 2 * edge, false, workers).faces.size(), 5u);
-	EXPECT_TRUE(findTooLong(s, 2 * edge, true, workers).faces.empty());
 }
 
 /// A huge face beside small faces, like a stray triangle of a scan: only the huge face is split.

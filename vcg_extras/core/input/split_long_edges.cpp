@@ -340,19 +340,25 @@ LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float
 	return found;
 }
 
-LongFaces findTooLong(const Surface& surface, float radius, bool areSizesByError, Workers& workers)
+LongFaces findTooLong(const Surface& surface, float longest, Workers& workers)
 {
-	// Share of faces. The results are as regular and as near without the splits of so few faces,
-	// and connecting anew would take a tenth of the run.
-	constexpr double    maxSpared = 0.005;
-	const HalfEdgeMesh& m         = surface.mesh;
-	LongFaces           found;
-	found.longest = radius * (areSizesByError ? longestSingleEdge : longestEdgeInRadii);
-	const EdgeRule rule{found.longest * found.longest, surface.size};
-	found.faces = workers.collectIf(
-		m.faceNum, [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); });
-	if (areSizesByError && double(found.faces.size()) < maxSpared * m.faceNum) found.faces.clear();
-	return found;
+	const HalfEdgeMesh& m = surface.mesh;
+	const EdgeRule      rule{longest * longest, surface.size};
+	return {workers.collectIf(m.faceNum,
+							  [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); }),
+			longest};
+}
+
+void raiseSizes(const LongFaces& tooLong, Surface& surface)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	for (int f : tooLong.faces) {
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			const float least = m.edgeLength(h) / tooLong.longest;
+			for (int v : {m.origin[h], m.target(h)})
+				surface.size[v] = std::max(surface.size[v], least);
+		}
+	}
 }
 
 } // namespace gpr

@@ -55,9 +55,11 @@ struct LongFaces {
 LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float radius,
 					  Workers& workers);
 
-/// The faces of a surface that are too long for disks of its local sizes; radius: of the largest
-/// disks. Where only the error decides the sizes, few long faces do no harm.
-LongFaces findTooLong(const Surface& surface, float radius, bool areSizesByError, Workers& workers);
+/// The faces of a surface with an edge above `longest` times the smaller size of its ends.
+LongFaces findTooLong(const Surface& surface, float longest, Workers& workers);
+
+/// Raises the sizes at the corners of long faces, until no edge is too long.
+void raiseSizes(const LongFaces& tooLong, Surface& surface);
 
 } // namespace gpr
 

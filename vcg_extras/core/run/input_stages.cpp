@@ -196,18 +196,15 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 	return {!isConnected};
 }
 
-bool splitForSizes(RunContext& run, float radius, bool areSizesByError, std::int64_t vertexNum,
-				   WorkingSurface& surface)
+void splitSurface(RunContext& run, const LongFaces& tooLong, std::int64_t vertexNum,
+				  WorkingSurface& surface)
 {
-	const LongFaces tooLong = findTooLong(surface, radius, areSizesByError, run.workers);
-	if (tooLong.faces.empty()) return false;
 	run.clock.enter(Stage::SplitLongEdges);
 	IndexedMesh mesh = disconnect(surface);
 	splitTooLong(run, tooLong, vertexNum, mesh, surface);
 	connectOrRepair(run, mesh, surface.cleaned, surface);
 	surface.ring.release();
 	nameSides(run, surface.mesh, !surface.meetings.empty());
-	return true;
 }
 
 void fillCache(RunContext& run, InputCache& cache, Products& made)

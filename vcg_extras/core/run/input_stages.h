@@ -78,10 +78,9 @@ InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* ca
 SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache* cache,
 						 Products& made);
 
-/// Step Sizes: splits edges that are too long for the surface's sizes (findTooLong), and connects
-/// the parts. New vertices get sizes, too. False if nothing is split.
-bool splitForSizes(RunContext& run, float radius, bool areSizesByError, std::int64_t vertexNum,
-				   WorkingSurface& surface);
+/// Step Sizes: splits the edges of long faces, and connects the parts. New vertices get sizes, too.
+void splitSurface(RunContext& run, const LongFaces& tooLong, std::int64_t vertexNum,
+				  WorkingSurface& surface);
 
 /// Makes and keeps all products that runs with these options share.
 void fillCache(RunContext& run, InputCache& cache, Products& made);

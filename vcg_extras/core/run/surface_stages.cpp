@@ -8,6 +8,7 @@
 #include <vcg_extras/core/features/feature_region.h>
 #include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/features/shared_borders.h>
+#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/sampling/error_sizes.h>
 #include <vcg_extras/core/sampling/sizing.h>
@@ -218,6 +219,29 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, Products& made)
 					  made.surface, run.workers);
 }
 
+/// Makes edges and sizes agree: a disk must cover a few vertices.
+void matchSizesAndEdges(RunContext& run, const Decisions& decisions, Products& made)
+{
+	// Splits of a smaller share of the faces are spared on meshes with more faces than this:
+	// connecting anew would take a tenth of the run, and the distances are the same. On smaller
+	// meshes it takes hundredths of a second.
+	constexpr double maxSpared  = 0.005;
+	constexpr int    manyFaces  = 200'000;
+	WorkingSurface&  surface    = made.surface;
+	const bool       areByError = made.sizes.areByError;
+	const float      longest    = (areByError ? longestSingleEdge : longestEdgeInRadii) *
+						  usualRadius(made, run.options, decisions.spacedFor());
+	const LongFaces tooLong = findTooLong(surface, longest, run.workers);
+	if (tooLong.faces.empty()) return;
+	const int  faceNum = surface.mesh.faceNum;
+	const bool areFew =
+		faceNum > manyFaces && double(tooLong.faces.size()) < maxSpared * double(faceNum);
+	if (areByError && areFew && !surface.sharesBorders()) return raiseSizes(tooLong, surface);
+	splitSurface(run, tooLong, decisions.spacedFor(), surface);
+	made.lines = Lines();
+	findRegionOnSurface(run, made);
+}
+
 /// Gives the surface its sizes, and the largest disks the radius for the sizes.
 void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 {
@@ -226,11 +250,7 @@ void setSizes(RunContext& run, const Decisions& decisions, Products& made)
 	if (made.sizes.size.empty()) return;
 	made.surface.size = std::move(made.sizes.size);
 	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
-	const float radius = usualRadius(made, run.options, decisions.spacedFor());
-	if (!splitForSizes(run, radius, made.sizes.areByError, decisions.spacedFor(), made.surface))
-		return;
-	made.lines = Lines();
-	findRegionOnSurface(run, made);
+	matchSizesAndEdges(run, decisions, made);
 }
 
 /// Without a change of the border, the possible numbers of vertices or faces are multiples of this
