@@ -6,6 +6,7 @@
 //   gpr_pipeline_figure --write ROOT    writes the figure between its marks in the page
 //   gpr_pipeline_figure --check ROOT    ends with 0 if the page has the figure and, below, an entry
 //                                       with the key of every stage, else with 1
+#include <tests/support/stages_of.h>
 #include <vcg_extras/core/base/stages.h>
 
 #include <cmath>
@@ -39,7 +40,7 @@ std::string figure()
 	std::string      text    = beginMark + "```text\n" + padded("key in the report", 18) +
 					   padded("what is done", 40) + "share of the time on a scan\n";
 	double before = 0;
-	for (Stage stage : gpr::stagesOf(Pipeline::Remeshing)) {
+	for (Stage stage : gpr::test::stagesOf(Pipeline::Remeshing)) {
 		const gpr::StageRow& row   = gpr::rowOf(stage);
 		const double         share = gpr::shareAtEnd(stage, Pipeline::Remeshing) - before;
 		const int            bar   = int(std::ceil(columns * share - 1e-9));
@@ -70,7 +71,7 @@ std::string keysWithoutEntry(const std::string& page)
 {
 	const std::string entries = page.substr(page.find(endMark) + endMark.size());
 	std::string       missing;
-	for (Stage stage : gpr::stagesOf(Pipeline::Remeshing)) {
+	for (Stage stage : gpr::test::stagesOf(Pipeline::Remeshing)) {
 		const std::string key = std::string("`") + gpr::rowOf(stage).key + "`";
 		if (entries.find(key) == std::string::npos) missing += (missing.empty() ? "" : ", ") + key;
 	}

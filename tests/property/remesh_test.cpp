@@ -6,6 +6,7 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
+#include <tests/support/stages_of.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/stages.h>
 #include <vcg_extras/core/remesh.h>

@@ -3,6 +3,7 @@
 
 // The table of stages, the source of reports and progress bars.
 
+#include <tests/support/stages_of.h>
 #include <vcg_extras/core/base/stages.h>
 
 #include <gtest/gtest.h>

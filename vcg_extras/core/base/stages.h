@@ -4,7 +4,6 @@
 #define VCG_EXTRAS_CORE_BASE_STAGES_H
 
 #include <cstddef>
-#include <vector>
 
 namespace gpr {
 
@@ -90,16 +89,6 @@ constexpr const StageRow& rowOf(Stage stage)
 constexpr double shareAtEnd(Stage stage, Pipeline pipeline)
 {
 	return rowOf(stage).until[std::size_t(pipeline)];
-}
-
-/// The stages of a pipeline in their order.
-inline std::vector<Stage> stagesOf(Pipeline pipeline)
-{
-	std::vector<Stage> stages;
-	for (const StageRow& row : stageTable) {
-		if (shareAtEnd(row.stage, pipeline) > 0) stages.push_back(row.stage);
-	}
-	return stages;
 }
 
 } // namespace gpr

@@ -47,8 +47,7 @@ public:
 			markAll(sharp);
 			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(among(sharp, false))) {
 				m_.crease.release();
-				found.wasNoise = true;
-				sharp          = among(sharp, true);
+				sharp = among(sharp, true);
 				if (sharp.empty()) return found;
 				markAll(sharp);
 			}

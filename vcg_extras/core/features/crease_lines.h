@@ -30,10 +30,9 @@ struct CreaseRules {
 
 /// The result of markCreases.
 struct CreaseFindings {
-	std::vector<int> coneApexes;        ///< cone apexes, on no line
-	std::int64_t     creaseNum = 0;     ///< crease edges that are no noise
-	std::int64_t     edgeNum   = 0;     ///< edges marked: of lines neither too short nor too close
-	bool             wasNoise  = false; ///< Auto: there are crease edges, but they look like noise
+	std::vector<int> coneApexes;    ///< cone apexes, on no line
+	std::int64_t     creaseNum = 0; ///< crease edges that are no noise
+	std::int64_t     edgeNum   = 0; ///< edges marked: of lines neither too short nor too close
 	/// So often the least lengths of lines may double, and all lines stay.
 	int spareDoublings = 0;
 };
