@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace gpr::test {
@@ -234,6 +235,28 @@ TEST(Symmetry, HalvesMadeAnewAreCountedOn)
 			expectSymmetric(result.mesh, int(symmetry) - int(Symmetry::X), 0);
 		}
 	}
+}
+
+/// The figures and the note are of the mesh after the count that follows on the guard.
+TEST(Symmetry, HalvesMadeAnewAreToldOf)
+{
+	const TriangleMesh mesh    = torus(16, 8);
+	int                madeNum = 0;
+	for (int num = 12; num <= 20; ++num) {
+		const RemeshResult    result  = remesh(mesh.view(), symmetric(Symmetry::Y, num));
+		const GuardedFigures& guarded = result.report.audit.guarded;
+		if (result.status != Status::Ok || guarded.vertexNum == 0) continue;
+		++madeNum;
+		EXPECT_LE(guarded.vertexNum, num);
+		EXPECT_GT(guarded.foundPairNum, 0);
+		const std::string told =
+			"made " + std::to_string(guarded.vertexNum) + " of the " + std::to_string(num);
+		const auto tells = [&](const std::string& note) {
+			return note.find(told) != std::string::npos;
+		};
+		EXPECT_TRUE(std::any_of(result.notes.begin(), result.notes.end(), tells)) << told;
+	}
+	EXPECT_GT(madeNum, 0);
 }
 
 /// With few vertices, an open border of the half could have no vertex off the plane.

@@ -210,6 +210,15 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 	return outcome;
 }
 
+/// The vertices of the whole mesh made by the guard.
+std::int64_t madeNum(const ResultMesh& result)
+{
+	std::int64_t num = 0;
+	for (std::size_t v = 0; v < result.vertex.size(); ++v)
+		num += result.vertex[v].isMade ? result.mesh.multiplicity(result.mesh.position[v]) : 0;
+	return num;
+}
+
 } // namespace
 
 ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result,
@@ -217,8 +226,10 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 {
 	const std::vector<FacePair> pairs = findTouchingPairs(result.mesh, workers);
 	ContactOutcome              outcome{result.mesh.vertexNum};
-	figures.isTested     = true;
-	figures.foundPairNum = figures.pairNum = std::int64_t(pairs.size());
+	figures.isTested = true;
+	figures.pairNum  = std::int64_t(pairs.size());
+	figures.foundPairNum += figures.pairNum;
+	if (figures.vertexNum > 0) figures.vertexNum = madeNum(result); // changed since the last call
 	if (pairs.empty()) return outcome;
 	const InputContacts ofInput        = contactsOfInput(making, pairs, result, workers);
 	figures.inputFaceNum               = ofInput.faceNum();
@@ -226,12 +237,8 @@ ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result
 	if (others.empty()) return outcome;
 	outcome = makeAnew(making, ofInput, others, result, workers);
 	if (outcome.isRefused) return outcome;
-	figures.vertexNum = 0;
-	for (std::size_t v = 0; v < result.vertex.size(); ++v)
-		figures.vertexNum +=
-			result.vertex[v].isMade ? result.mesh.multiplicity(result.mesh.position[v]) : 0;
-	outcome.hasMade = figures.vertexNum > 0;
-	figures.pairNum = std::int64_t(findTouchingPairs(result.mesh, workers).size());
+	figures.vertexNum = madeNum(result);
+	figures.pairNum   = std::int64_t(findTouchingPairs(result.mesh, workers).size());
 	return outcome;
 }
 

@@ -21,7 +21,6 @@ struct ContactOutcome {
 	/// Self-intersections are left: removing these would take more vertices than allowed, or other
 	/// vertices at a kept border.
 	bool isRefused = false;
-	bool hasMade   = false; ///< vertices were made by the guard, in this call or an earlier call
 	bool isCapped  = false; ///< patches were left out, since the work would be too much
 };
 
@@ -31,7 +30,8 @@ struct ContactOutcome {
 /// (patch_filling.h), with as many vertices as before. If contacts are left, whole components with
 /// contacts are made anew in the same way. If the collapses end above the number of vertices, the
 /// new components are taken if making.mayEndAbove. Else the result is refused or, if the input
-/// intersects itself, stays unchanged. figures: count over all calls. Cost: a pass over the
+/// intersects itself, stays unchanged. figures: pairs found are added; of the made vertices those
+/// count that the result has now, made in this call or an earlier call. Cost: a pass over the
 /// result's faces if there are no contacts; else the collapses, and a pass over the input's faces.
 ContactOutcome removeContacts(const MakingOfVertices& making, ResultMesh& result,
 							  GuardedFigures& figures, Workers& workers);

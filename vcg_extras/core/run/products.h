@@ -95,13 +95,12 @@ struct Products {
 	PoorFaces                     poor;      ///< Fit to Angles
 
 	// Figures of the later steps.
-	std::int64_t   releasedNum = 0;                     ///< vertices released from crowded lines
-	GuardedFigures guarded;                             ///< Contacts
-	bool           hasMadeVertices = false;             ///< the last step Contacts made vertices
-	GoalOutcome    refined         = GoalOutcome::Open; ///< Refinement
-	Verification   verified;                            ///< Error (its proof), Check
-	QualityFigures quality;                             ///< Export
-	std::int64_t   regularNum = 0; ///< Export: see RemeshReport::regularVertexNum
+	std::int64_t   releasedNum = 0;             ///< vertices released from crowded lines
+	GuardedFigures guarded;                     ///< Contacts
+	GoalOutcome    refined = GoalOutcome::Open; ///< Refinement
+	Verification   verified;                    ///< Error (its proof), Check
+	QualityFigures quality;                     ///< Export
+	std::int64_t   regularNum = 0;              ///< Export: see RemeshReport::regularVertexNum
 
 	/// Frees the products of a step and of all later steps.
 	void dropFrom(Step step);

@@ -125,7 +125,7 @@ void Remeshing::takeStep()
 		case Step::Fit:          judge(fitResult(run, d, made_)); break;
 		case Step::Release:      releaseLinesAndFit(run, d, made_); plan_.goOn(); break;
 		case Step::Angles:       repairAngles(run, made_); plan_.goOn(); break;
-		case Step::Contacts:     judge(removeContacts(run, d, made_)); tellMade(run, made_); break;
+		case Step::Contacts:     judge(removeContacts(run, d, made_)); break;
 		case Step::Refinement:   judge(refineResult(run, plan_.goal(), made_)); break;
 		case Step::Error:        judge(measureError(run, plan_.goal(), made_)); break;
 		case Step::Check:        checkResult(run, d, made_); plan_.goOn(); break;

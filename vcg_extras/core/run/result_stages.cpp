@@ -161,12 +161,11 @@ void raiseAngles(RunContext& run, Products& made)
 /// patches on a mirror plane the vertex count of the whole. Most rounds that restore the count.
 constexpr int countRounds = 3;
 
-bool missesCount(const Decisions& decisions, const ResultMesh& result,
-				 const ContactOutcome& outcome)
+bool missesCount(const Decisions& decisions, const Products& made)
 {
-	if (!outcome.hasMade || outcome.isRefused) return false;
-	if (decisions.faceNum > 0) return result.faceNum() != decisions.faceNum;
-	return result.mesh.mirrorAxis >= 0 && result.vertexNum() != decisions.wholeNum();
+	if (made.guarded.vertexNum == 0) return false;
+	if (decisions.faceNum > 0) return made.result.faceNum() != decisions.faceNum;
+	return made.result.mesh.mirrorAxis >= 0 && made.result.vertexNum() != decisions.wholeNum();
 }
 
 // ---- The trials for an error bound.
@@ -181,6 +180,17 @@ double shareBeyond(const ComparedSurfaces& both, double bound, double area, Work
 }
 
 // ---- Check and export.
+
+/// Tells the user about vertices made by the guard.
+void tellMade(RunContext& run, const Products& made)
+{
+	if (made.guarded.vertexNum == 0) return;
+	run.tell("At thin places of the surface the triangles would intersect each other. Guarded edge "
+			 "collapses of the input made " +
+			 std::to_string(made.guarded.vertexNum) + " of the " +
+			 std::to_string(made.result.vertexNum()) +
+			 " vertices, at these places. The triangles there are less regular.");
+}
 
 /// Tells about cut junctions that are longer than some edges. Shorter junctions are faults of a
 /// scan.
@@ -328,36 +338,27 @@ void repairAngles(RunContext& run, Products& made)
 
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.hasMadeVertices      = false;
 	const std::int64_t before = made.result.vertexNum();
 	separateSheets(run, decisions, made);
 	if (!run.options.guard || isPaper(run.options))
 		return {before, before, false, made.result.faceNum()};
 	run.clock.enter(Stage::Contacts);
-	MakingOfVertices making = makingOf(run, made);
-	making.mayEndAbove      = decisions.mayEndAbove;
-	ContactOutcome outcome  = removeContacts(making, made.result, made.guarded, run.workers);
-	for (int round = 0; round < countRounds && missesCount(decisions, made.result, outcome);
-		 ++round) {
+	MakingOfVertices making   = makingOf(run, made);
+	making.mayEndAbove        = decisions.mayEndAbove;
+	made.guarded.foundPairNum = 0;
+	ContactOutcome outcome;
+	for (int round = 0; true; ++round) {
+		const std::int64_t known = made.guarded.foundPairNum;
+		outcome                  = removeContacts(making, made.result, made.guarded, run.workers);
+		if (outcome.isCapped) run.tellCap("patches made anew");
+		const bool isDone = outcome.isRefused || made.guarded.foundPairNum == known;
+		if (isDone || round == countRounds || !missesCount(decisions, made)) break;
 		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
 						run.workers);
-		outcome = removeContacts(making, made.result, made.guarded, run.workers);
 	}
-	made.hasMadeVertices = outcome.hasMade;
-	if (outcome.isCapped) run.tellCap("patches made anew");
 	const std::int64_t lacking = outcome.vertexNum - made.result.mesh.vertexNum;
 	return {before, made.result.vertexNum() + made.result.mesh.sideNum() * lacking,
 			outcome.isRefused, made.result.faceNum()};
-}
-
-void tellMade(RunContext& run, const Products& made)
-{
-	if (!made.hasMadeVertices) return;
-	run.tell("At thin places of the surface the triangles would intersect each other. Guarded edge "
-			 "collapses of the input made " +
-			 std::to_string(made.guarded.vertexNum) + " of the " +
-			 std::to_string(made.result.vertexNum()) +
-			 " vertices, at these places. The triangles there are less regular.");
 }
 
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made)
@@ -396,6 +397,7 @@ ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, Products& made)
 void checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
+	tellMade(run, made);
 	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
 	tellCutJunctions(run, made);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,

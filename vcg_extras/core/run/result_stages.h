@@ -42,9 +42,6 @@ void repairAngles(RunContext& run, Products& made);
 /// Step Contacts: removes self-intersections from the result, if the options ask for that.
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Tells the user about vertices made by the last step Contacts.
-void tellMade(RunContext& run, const Products& made);
-
 /// Step Refinement: makes triangles smaller at places beyond the error bound, unless there are too
 /// many places. Returns the number of added vertices.
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made);
