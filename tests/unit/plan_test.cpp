@@ -52,12 +52,12 @@ RemeshOptions keeping(RemeshOptions options)
 
 RelaxationFacts reached(std::int64_t vertexNum)
 {
-	return {vertexNum};
+	return {{vertexNum}};
 }
 
 RelaxationFacts withoutAreas(std::int64_t vertexNum)
 {
-	return {vertexNum, false, true};
+	return {{vertexNum}, false, true};
 }
 
 /// A run with steps whose outcomes the test decides. By default the outcome of a step needs no
@@ -150,8 +150,6 @@ private:
 			return tell(plan_.judge(lines ? lines(d) : LineFacts()));
 		case Step::Samples:
 			return tell(plan_.judge(samples ? samples(d) : SampleFacts()));
-		case Step::Count:
-			return tell(plan_.judge(CountFacts{d.vertexNum, facesOf(d.vertexNum)}));
 		case Step::Relaxation: {
 			attempts.push_back(d);
 			RelaxationFacts facts = mesh ? mesh(d) : reached(d.vertexNum);
@@ -163,9 +161,9 @@ private:
 		case Step::Contacts:
 			return tell(plan_.judge(
 				contacts ? contacts(d)
-						 : ContactFacts{d.vertexNum, d.vertexNum, false, facesOf(d.vertexNum)}));
+						 : ContactFacts{{d.vertexNum, facesOf(d.vertexNum)}, d.vertexNum}));
 		case Step::Export:
-			return tell(plan_.judge(ExportFacts{d.vertexNum, facesOf(d.vertexNum)}));
+			return tell(plan_.judge(ExportFacts{{d.vertexNum, facesOf(d.vertexNum)}}));
 		default:
 			return plan_.goOn();
 		}
@@ -330,7 +328,7 @@ TEST(Plan, NamesTwoNumbersOfFacesThatWereMadeWhereOneIsTooSmall)
 	});
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
-	EXPECT_EQ(run.failure->smallestVertexNum, 9);
+	EXPECT_EQ(run.failure->possible.vertexNum, 9);
 	EXPECT_TRUE(run.says("numbers found are 14 and 16 (9 and 10 vertices)"));
 }
 
@@ -498,7 +496,7 @@ TEST(Plan, LooksForAreasWhereNoCountIsPromised)
 TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 {
 	for (const RelaxationFacts& facts :
-		 {RelaxationFacts{501, true, false}, RelaxationFacts{500, true, true}}) {
+		 {RelaxationFacts{{501}, true, false}, RelaxationFacts{{500}, true, true}}) {
 		const PlannedRun run = runWith(order(500), [&](const Decisions& d) {
 			return d.way == Way::WithFeatureLines ? facts : reached(500);
 		});
@@ -510,7 +508,7 @@ TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 		EXPECT_TRUE(run.says("feature lines"));
 	}
 	const PlannedRun harmless = runWith(order(500), [](const Decisions&) {
-		return RelaxationFacts{500, true, false};
+		return RelaxationFacts{{500}, true, false};
 	});
 	EXPECT_EQ(harmless.attempts.size(), 1u);
 }
@@ -518,7 +516,7 @@ TEST(Plan, GivesUpFeatureLinesThatDoHarm)
 TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 {
 	const PlannedRun run = runWith(order(500), [](const Decisions& d) {
-		return d.keepsRaggedBorder ? reached(500) : RelaxationFacts{500, false, true, true};
+		return d.keepsRaggedBorder ? reached(500) : RelaxationFacts{{500}, false, true, true};
 	});
 	ASSERT_EQ(run.attempts.size(), 2u);
 	EXPECT_TRUE(run.attempts[1].keepsRaggedBorder);
@@ -526,7 +524,7 @@ TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 	EXPECT_TRUE(run.says("smooth border"));
 	// No second trial with another count.
 	const PlannedRun raised = runWith(wish(500), [](const Decisions& d) {
-		return d.keepsRaggedBorder ? reached(600) : RelaxationFacts{500, false, true, true};
+		return d.keepsRaggedBorder ? reached(600) : RelaxationFacts{{500}, false, true, true};
 	});
 	EXPECT_EQ(raised.decisions().vertexNum, 600);
 	EXPECT_TRUE(raised.attempts.back().keepsRaggedBorder);
@@ -536,7 +534,7 @@ TEST(Plan, LeavesSeamsOpenWithWhichTrianglesHaveNoArea)
 {
 	const auto facts = [](const Decisions& d, std::int64_t reachedNum) {
 		const bool isSewn = d.sewing != Sewing::Never;
-		return RelaxationFacts{isSewn ? 500 : reachedNum, false, isSewn, false, isSewn};
+		return RelaxationFacts{{isSewn ? 500 : reachedNum}, false, isSewn, false, isSewn};
 	};
 	const PlannedRun run = runWith(order(500), [&](const Decisions& d) { return facts(d, 500); });
 	ASSERT_EQ(run.attempts.size(), 2u);
@@ -566,7 +564,7 @@ TEST(Plan, RefusesWhatTopologyForbidsAndNamesTheSmallest)
 	options.guard         = false; // no trial of the named count
 	const PlannedRun run  = runWith(options, [](const Decisions&) { return reached(7); });
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_EQ(run.failure->possible.vertexNum, 7);
 	EXPECT_TRUE(run.says("with 3 vertices"));
 	EXPECT_TRUE(run.says("number is 7"));
 }
@@ -621,7 +619,7 @@ TEST(Plan, TakesTheNearestWithKeptVerticesOrRefuses)
 	options.guard            = false;
 	const PlannedRun refused = runWith(options, mesh, 40);
 	ASSERT_TRUE(refused.failure);
-	EXPECT_EQ(refused.failure->smallestVertexNum, 55);
+	EXPECT_EQ(refused.failure->possible.vertexNum, 55);
 	EXPECT_TRUE(refused.says("the 40 vertices to be kept"));
 	const auto       flat  = [](const Decisions&) { return withoutAreas(50); };
 	const PlannedRun other = runWith(options, flat, 40);
@@ -643,7 +641,7 @@ TEST(Plan, LooksForACountThatLeavesRoomForAreas)
 	const PlannedRun refused = runWith(options, hasAreasFrom13);
 	EXPECT_EQ(countsOf(refused), counts);
 	ASSERT_TRUE(refused.failure);
-	EXPECT_EQ(refused.failure->smallestVertexNum, 15);
+	EXPECT_EQ(refused.failure->possible.vertexNum, 15);
 	EXPECT_TRUE(refused.says("With 8 vertices"));
 }
 
@@ -681,7 +679,7 @@ TEST(Plan, RefusesAfterASearchThatFailedBelowTheSmallest)
         return withoutAreas(std::max<std::int64_t>(7, d.vertexNum));
     });
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_EQ(run.failure->possible.vertexNum, 7);
 	EXPECT_TRUE(run.says("cannot be meshed with 3"));
 }
 
@@ -703,7 +701,7 @@ TEST(Plan, TakesTheCountThatIsFreeOfContacts)
 	PlannedRun run(wish(500));
 	run.contacts = [](const Decisions& d) {
 		EXPECT_TRUE(d.mayEndAbove);
-		return ContactFacts{500, 520};
+		return ContactFacts{{520}, 500};
 	};
 	run.go();
 	EXPECT_EQ(run.decisions().vertexNum, 520);
@@ -715,11 +713,11 @@ TEST(Plan, RefusesACountThatHasContacts)
 	PlannedRun run(order(500));
 	run.contacts = [](const Decisions& d) {
 		EXPECT_FALSE(d.mayEndAbove);
-		return ContactFacts{d.vertexNum, 520, d.vertexNum < 520};
+		return ContactFacts{{520}, d.vertexNum, d.vertexNum < 520};
 	};
 	run.go();
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 520);
+	EXPECT_EQ(run.failure->possible.vertexNum, 520);
 	EXPECT_EQ(run.numOf(Step::Region), 2) << "the count named is tried";
 }
 
@@ -728,13 +726,13 @@ TEST(Plan, NamesACountThatWasMade)
 {
 	PlannedRun run(order(500));
 	run.contacts = [](const Decisions& d) {
-		return ContactFacts{d.vertexNum, d.vertexNum < 520 ? 520 : 600, d.vertexNum < 600};
+		return ContactFacts{{d.vertexNum < 520 ? 520 : 600}, d.vertexNum, d.vertexNum < 600};
 	};
 	run.go();
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 600);
+	EXPECT_EQ(run.failure->possible.vertexNum, 600);
 	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 520, 600}));
-	EXPECT_TRUE(run.says("found without self-intersections is 600"));
+	EXPECT_TRUE(run.says("the smallest possible number found is 600"));
 }
 
 namespace {
@@ -744,7 +742,7 @@ PlannedRun runWithSheets(const RemeshOptions& options, std::int64_t least)
 {
 	PlannedRun run(options);
 	run.contacts = [least](const Decisions& d) {
-		return ContactFacts{d.vertexNum, d.vertexNum, d.vertexNum < least, 2 * (d.vertexNum - 2)};
+		return ContactFacts{{d.vertexNum, 2 * (d.vertexNum - 2)}, d.vertexNum, d.vertexNum < least};
 	};
 	run.go();
 	return run;
@@ -773,7 +771,7 @@ TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
 TEST(Plan, RaisesNoCountThatGrewByItself)
 {
 	PlannedRun run(wish(5));
-	run.contacts = [](const Decisions&) { return ContactFacts{3000, 3000, true, 5996}; };
+	run.contacts = [](const Decisions&) { return ContactFacts{{3000, 5996}, 3000, true}; };
 	run.go();
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.attempts.size(), 1u);
@@ -799,8 +797,8 @@ PlannedRun runThatMisses(int asked, std::int64_t missed, std::int64_t least)
 {
 	PlannedRun run(order(asked));
 	run.contacts = [missed, least](const Decisions& d) {
-		return d.vertexNum >= least ? ContactFacts{d.vertexNum, d.vertexNum}
-									: ContactFacts{d.vertexNum, d.vertexNum + missed, true};
+		return d.vertexNum >= least ? ContactFacts{{d.vertexNum}, d.vertexNum}
+									: ContactFacts{{d.vertexNum + missed}, d.vertexNum, true};
 	};
 	run.go();
 	return run;
@@ -814,9 +812,9 @@ TEST(Plan, NamesACountThatCanBeHad)
 	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{8, 13, 18, 23}));
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
-	EXPECT_EQ(run.failure->smallestVertexNum, 23);
+	EXPECT_EQ(run.failure->possible.vertexNum, 23);
 	EXPECT_TRUE(run.says("cannot be meshed with 8 vertices"));
-	EXPECT_TRUE(run.says("found without self-intersections is 23"));
+	EXPECT_TRUE(run.says("the smallest possible number found is 23"));
 }
 
 /// Each number of vertices misses by as much as the number before, as on thin parts.
@@ -826,8 +824,8 @@ TEST(Plan, GrowsItsStepsToACountThatCanBeHad)
 	EXPECT_EQ(countsOf(run),
 			  (std::vector<std::int64_t>{2000, 2050, 2100, 2150, 2200, 2300, 2450, 2650}));
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 2650);
-	EXPECT_TRUE(run.says("found without self-intersections is 2650"));
+	EXPECT_EQ(run.failure->possible.vertexNum, 2650);
+	EXPECT_TRUE(run.says("the smallest possible number found is 2650"));
 }
 
 TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)
@@ -836,7 +834,7 @@ TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)
 		return reached(std::max<std::int64_t>(7, d.vertexNum));
 	});
 	ASSERT_TRUE(run.failure);
-	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_EQ(run.failure->possible.vertexNum, 7);
 	EXPECT_TRUE(run.says("the smallest possible number is 7"));
 }
 
@@ -889,7 +887,7 @@ public:
 				plan.judge(ErrorFacts{errorOf(d.wholeNum()), 1e-4});
 				break;
 			case Step::Export:
-				plan.judge(ExportFacts{d.wholeNum()});
+				plan.judge(ExportFacts{{d.wholeNum()}});
 				break;
 			default:
 				plan.goOn();
@@ -974,9 +972,10 @@ TEST(Plan, AlwaysComesToAnEnd)
 		PlannedRun                                                             run(options);
 		run.keptNum = kept;
 		run.mesh    = [&](const Decisions& d) {
-            const RelaxationFacts facts{random.chance(hit) ? d.vertexNum : 1 + random.below(90),
+            const RelaxationFacts facts{{random.chance(hit) ? d.vertexNum : 1 + random.below(90)},
                                         d.way == Way::WithFeatureLines && random.chance(0.5),
-                                        random.chance(flat), isSmooth && !d.keepsRaggedBorder,
+                                        random.chance(flat),
+                                        isSmooth && !d.keepsRaggedBorder,
                                         isSewn && d.sewing != Sewing::Never};
             const auto key = std::make_tuple(d.way, d.vertexNum, d.keepsRaggedBorder, d.sewing);
             const RelaxationFacts& made = known.insert({key, facts}).first->second;
@@ -988,7 +987,7 @@ TEST(Plan, AlwaysComesToAnEnd)
 		ASSERT_TRUE(run.failure || run.isTaken());
 		if (run.failure) {
 			EXPECT_FALSE(isWish) << "a wish is never refused";
-			EXPECT_TRUE(run.says(std::to_string(run.failure->smallestVertexNum)));
+			EXPECT_TRUE(run.says(std::to_string(run.failure->possible.vertexNum)));
 		}
 		else if (isExact && !isWish && kept > 0) {
 			EXPECT_EQ(last, asked);
@@ -1001,7 +1000,7 @@ TEST(Plan, BoundsTheReturnsOfAWholeRun)
 {
 	PlannedRun run(order(500));
 	run.lines    = [](const Decisions&) { return LineFacts{2}; };
-	run.contacts = [](const Decisions& d) { return ContactFacts{d.vertexNum, d.vertexNum}; };
+	run.contacts = [](const Decisions& d) { return ContactFacts{{d.vertexNum}, d.vertexNum}; };
 	run.go();
 	EXPECT_EQ(run.numOf(Step::Lines), 1 + Plan::mostReturns);
 	EXPECT_TRUE(run.isTaken());

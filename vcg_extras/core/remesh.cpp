@@ -55,8 +55,10 @@ Result failed(const Failure& failure, Outcome&& soFar)
 	static_cast<Outcome&>(result) = std::move(soFar);
 	result.status                 = failure.status;
 	result.message                = failure.message;
-	if constexpr (std::is_same_v<Result, RemeshResult>)
-		result.smallestVertexNum = failure.smallestVertexNum;
+	if constexpr (std::is_same_v<Result, RemeshResult>) {
+		if (failure.status == Status::CountTooSmall)
+			result.smallestVertexNum = failure.possible.vertexNum;
+	}
 	return result;
 }
 

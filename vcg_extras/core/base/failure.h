@@ -11,17 +11,24 @@
 
 namespace gpr {
 
+/// The size of a mesh.
+struct MeshSize {
+	std::int64_t vertexNum = 0;
+	std::int64_t faceNum   = 0;
+
+	/// The size with more vertices inside the surface.
+	MeshSize plus(std::int64_t num) const { return {vertexNum + num, faceNum + 2 * num}; }
+};
+
 /// An exception for a run that cannot go on; the facade turns the exception into a result without a
 /// mesh.
 struct Failure {
-	Status       status;
-	std::string  message;               ///< a sentence for the user
-	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the least possible count
-	std::int64_t smallestFaceNum   = 0; ///< likewise for a target of faces; 0: not known
+	Status      status;
+	std::string message;  ///< a sentence for the user
+	MeshSize    possible; ///< of a refused count: the least or nearest possible size; else empty
 
-	Failure(Status s, std::string m, std::int64_t smallest = 0, std::int64_t smallestFaces = 0) :
-			status(s), message(std::move(m)), smallestVertexNum(smallest),
-			smallestFaceNum(smallestFaces)
+	Failure(Status s, std::string m, const MeshSize& p = {}) :
+			status(s), message(std::move(m)), possible(p)
 	{
 	}
 };

@@ -56,6 +56,16 @@ std::string text(std::int64_t n)
 	return std::to_string(n);
 }
 
+[[noreturn]] void refuse(const std::string& why, const MeshSize& possible)
+{
+	throw Failure(Status::CountTooSmall, why, possible);
+}
+
+std::string cannotBe(const std::string& count)
+{
+	return "The surface cannot be meshed with " + count;
+}
+
 std::string lengthText(double length, double diagonal)
 {
 	char words[80];
@@ -99,10 +109,9 @@ std::string provenText(std::int64_t vertexNum, double error, double diagonal)
 }
 
 Plan::Plan(const RemeshOptions& options, std::int64_t vertexNum, const Request& request) :
-		options_(options), callersVertexNum_(vertexNum), request_(request),
-		wantedFaces_(options.targetFaceNum)
+		options_(options), callersVertexNum_(vertexNum),
+		request_(request), tried_{0, options.targetFaceNum}
 {
-
 	beginRun(request.purpose, request.goal ? request.goal->start : request.sampleNum);
 }
 
@@ -208,9 +217,9 @@ void Plan::resolveCount(const InputFacts& facts)
 	attempts_.area = facts.area;
 	if (attempts_.isCountChosen) return;
 	RemeshOptions options = options_;
-	options.targetFaceNum = wantedFaces_;
+	options.targetFaceNum = tried_.faceNum;
 	decisions_.vertexNum  = resolveTarget(callersVertexNum_, options, facts.area, facts.scale);
-	if (asksForFaces()) decisions_.faceNum = wantedFaces_;
+	if (asksForFaces()) decisions_.faceNum = attempts_.asked.faceNum = tried_.faceNum;
 }
 
 /// The next possible count below.
@@ -263,7 +272,7 @@ std::string Plan::judge(const InputFacts& facts)
 	resolveCount(facts);
 	goOn();
 	const bool isForecast = options_.targetMode == TargetMode::Detail &&
-							decisions_.purpose == Purpose::Answer && attempts_.asked == 0;
+							decisions_.purpose == Purpose::Answer && attempts_.asked.vertexNum == 0;
 	return isForecast ? forecastText(decisions_.vertexNum, options_.targetDetail, request_.diagonal)
 					  : std::string();
 }
@@ -289,9 +298,9 @@ std::string Plan::judge(const SizeFacts& facts)
 	const std::int64_t before = decisions_.vertexNum;
 	if (decisions_.faceNum > 0) forecastVertices();
 	addBorder(facts);
-	attempts_.asked = decisions_.vertexNum;
+	attempts_.asked.vertexNum = decisions_.vertexNum;
 	if (decisions_.faceNum == 0) decisions_.vertexNum = possible(decisions_.vertexNum);
-	if (facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples)
+	if (facts.keptNum > attempts_.asked.vertexNum && decisions_.purpose != Purpose::OfGivenSamples)
 		return makeRoom();
 	attempts_.isCountChosen =
 		attempts_.isCountChosen || decisions_.vertexNum != before || decisions_.faceNum > 0;
@@ -310,21 +319,20 @@ std::string Plan::makeRoom()
 										 : isRegion ? "The feature region has "
 													: "The junctions have ") +
 							 text(attempts_.sizes.keptNum) + " vertices to be kept, ";
+	const std::int64_t num  = attempts_.sizes.keptNum;
+	const MeshSize     kept = {num, std::max<std::int64_t>(1, 2 * (num - attempts_.sizes.euler))};
 	if (!mayRaise || !mayReturn()) {
-		const std::int64_t faceNum = 2 * (attempts_.sizes.keptNum - attempts_.sizes.euler);
 		refuse(fact + "more than " + asked() + " allow; ask for more" +
 				   (isRegion ? ", or give a feature disk scale" : "") + ".",
-			   attempts_.sizes.keptNum,
-			   decisions_.faceNum > 0 ? std::max<std::int64_t>(1, faceNum) : 0);
+			   kept);
 	}
-	const std::int64_t raised =
-		attempts_.sizes.keptNum + attempts_.sizes.keptNum / 2 + attempts_.asked;
-	const std::string note = fact + "so the wanted number was raised from " +
-							 text(attempts_.asked) + " to " + text(raised) + " vertices.";
-	attempts_.isCountChosen = true;
-	decisions_.vertexNum = attempts_.asked = raised;
-	decisions_.faceNum                     = 0;
-	return returnTo(Step::Input, note);
+	const std::int64_t wanted = attempts_.asked.vertexNum;
+	attempts_.asked           = kept.plus(num / 2 + wanted);
+	attempts_.isCountChosen   = true;
+	decisions_.vertexNum      = attempts_.asked.vertexNum;
+	decisions_.faceNum        = 0;
+	return returnTo(Step::Input, fact + "so the wanted number was raised from " + text(wanted) +
+									 " to " + text(decisions_.vertexNum) + " vertices.");
 }
 
 std::string Plan::judge(const ForecastFacts& facts)
@@ -400,62 +408,79 @@ std::string Plan::tryAgain(std::string note)
 }
 
 /// Takes the mesh. A closed surface has no odd number of faces; the plan aimed at the number below.
-std::string Plan::accept(const RelaxationFacts& facts, std::string note)
+std::string Plan::accept(const MeshSize& mesh, std::string note)
 {
-	const bool byFaces = decisions_.faceNum > 0,
-			   byPairs = !asksForFaces() && attempts_.sizes.countStep > 1;
-	const bool isOther = byFaces ? facts.faceNum != wantedFaces_ && !attempts_.isRaised
-								 : byPairs && facts.vertexNum + 1 == attempts_.asked;
-	if (isOther && !isWish()) refuseParity(byFaces ? facts.faceNum : facts.vertexNum);
-	if (isOther && note.empty()) {
-		note = "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
-			   asked() + ", the nearest possible number.";
-	}
-	if (!isPaper(options_)) decisions_.vertexNum = facts.vertexNum;
-	if (decisions_.faceNum > 0) decisions_.faceNum = facts.faceNum;
+	const bool isOther =
+		!isPaper(options_) && decisions_.counted(mesh) != decisions_.counted(attempts_.asked);
+	if (isOther && !isWish()) refuseParity(mesh);
+	if (isOther && note.empty()) note = insteadText(mesh) + "the nearest possible number.";
+	if (!isPaper(options_)) aimAt(mesh);
 	goOn();
 	return note;
 }
 
+/// The mesh shall have the size, counted as before.
+void Plan::aimAt(const MeshSize& mesh)
+{
+	decisions_.vertexNum = mesh.vertexNum;
+	if (decisions_.faceNum > 0) decisions_.faceNum = mesh.faceNum;
+}
+
+// ---- Possible sizes, in words that count as the target counts.
+
+/// The next possible size.
+MeshSize Plan::above(const MeshSize& possible) const
+{
+	const std::int64_t step = attempts_.sizes.countStep;
+	return possible.plus(asksForFaces() ? partOf(step, 2) : step);
+}
+
 std::string Plan::asked() const
 {
-	return asksForFaces() ? text(wantedFaces_) + " faces" : text(attempts_.asked) + " vertices";
+	return asksForFaces() ? text(attempts_.asked.faceNum) + " faces"
+						  : text(attempts_.asked.vertexNum + decisions_.addedNum) + " vertices";
 }
 
-/// The counts in words: faces first if the target counts faces.
-std::string Plan::counted(std::int64_t vertexNum, std::int64_t faceNum) const
+/// The size in words, faces first if the target counts faces.
+std::string Plan::sizeText(const MeshSize& mesh) const
 {
-	const std::string vertices = text(vertexNum) + " vertices";
-	return asksForFaces() && faceNum > 0 ? text(faceNum) + " faces (" + vertices + ")" : vertices;
+	const std::string vertices = text(mesh.vertexNum) + " vertices";
+	return asksForFaces() ? text(mesh.faceNum) + " faces (" + vertices + ")" : vertices;
 }
 
-void Plan::refuse(const std::string& why, std::int64_t smallest, std::int64_t faceNum) const
+std::string Plan::insteadText(const MeshSize& mesh) const
 {
-	throw Failure(Status::CountTooSmall, why, smallest, faceNum);
+	return "The result has " + sizeText(mesh) + " instead of " + asked() + ", ";
 }
 
-void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
+/// "; the smallest possible numbers are 14 and 16 (9 and 10 vertices)." One number if both sizes
+/// are the same.
+std::string Plan::possibleText(const std::string& which, const MeshSize& first,
+							   const MeshSize& last) const
 {
-	if (asksForFaces() && faceNum > 0) {
-		refuse("The surface cannot be meshed with " + asked() +
-				   "; the smallest possible numbers are " + text(faceNum) + " and " +
-				   text(faceNum + 2) + " (" + text(smallest) + " and " + text(smallest + 1) +
-				   " vertices).",
-			   smallest, faceNum);
-	}
-	refuse("The surface cannot be meshed with " + asked() + "; the smallest possible number is " +
-			   text(smallest) + ".",
-		   smallest);
+	const bool areTwo = first.vertexNum != last.vertexNum;
+	const auto both   = [areTwo](std::int64_t a, std::int64_t b) {
+        return text(a) + (areTwo ? " and " + text(b) : "");
+	};
+	const std::string vertices = both(first.vertexNum, last.vertexNum);
+	return "; " + which + " possible number" + (areTwo ? "s" : "") +
+		   (had_.empty() ? "" : " found") + (areTwo ? " are " : " is ") +
+		   (asksForFaces() ? both(first.faceNum, last.faceNum) + " (" + vertices + " vertices)"
+						   : vertices) +
+		   ".";
+}
+
+void Plan::refuseBelow(const std::string& fault, const MeshSize& smallest) const
+{
+	const MeshSize last = asksForFaces() ? above(smallest) : smallest;
+	refuse(fault + possibleText("the smallest", smallest, last), smallest);
 }
 
 /// Refuses a count that is no multiple of the step: no vertex may enter or leave the border.
-void Plan::refuseParity(std::int64_t lower) const
+void Plan::refuseParity(const MeshSize& lower) const
 {
 	throw Failure(Status::PromiseBroken,
-				  "The surface cannot be meshed with " + asked() +
-					  "; the nearest possible numbers are " + text(lower) + " and " +
-					  text(lower + attempts_.nextStep()) + ".",
-				  0, decisions_.faceNum > 0 ? lower : 0);
+				  cannotBe(asked()) + possibleText("the nearest", lower, above(lower)), lower);
 }
 
 std::string Plan::withoutFeatureLines(const std::string& note)
@@ -481,84 +506,70 @@ std::string Plan::withOpenSeams()
 
 /// Accepts or refuses the count reached with vertices to be kept. There is no other way to the
 /// count.
-std::string Plan::nearestWithKept(const RelaxationFacts& reached)
+std::string Plan::nearestWithKept(const MeshSize& reached)
 {
-	const std::string  counts = counted(reached.vertexNum, reached.faceNum);
-	const std::int64_t off    = reached.faceNum - decisions_.faceNum;
-	if (decisions_.faceNum > 0) decisions_.faceNum = reached.faceNum;
-	attempts_.isRaised = isWish();
 	if (isWish()) {
-		return accept(reached, "The result has " + counts + " instead of " + asked() +
-								   ", the nearest number reached with the vertices to be kept.");
+		return accept(reached, insteadText(reached) +
+								   "the nearest number reached with the vertices to be kept.");
 	}
-	if (decisions_.faceNum > 0 && std::abs(off) == 1) refuseParity(reached.faceNum);
-	refuse("The surface cannot be meshed with " + asked() + " that include the " +
-			   text(attempts_.sizes.keptNum) + " vertices to be kept; a possible number is " +
-			   counts + ".",
-		   reached.vertexNum, reached.faceNum);
+	if (decisions_.faceNum > 0 && std::abs(reached.faceNum - decisions_.faceNum) == 1)
+		refuseParity(reached);
+	refuse(cannotBe(asked()) + " that include the " + text(attempts_.sizes.keptNum) +
+			   " vertices to be kept" + possibleText("a", reached, reached),
+		   reached);
 }
 
 /// With the smallest count, no vertex is left for the shape of borders between many holes. A few
 /// vertices more keep the shape: on a terrain with 1,700 holes the distance falls to a thirtieth.
-std::string Plan::raiseTo(const RelaxationFacts& smallest)
+std::string Plan::raiseTo(const MeshSize& smallest)
 {
 	attempts_.isRaised = true;
 	// Collapses from the right spacing did not come down to this count, and would not from more
 	// samples.
-	const bool         areMany   = smallest.vertexNum > fewVertices;
-	const bool         isStuck   = areMany && attempts_.reachedNum > smallest.vertexNum;
-	const std::int64_t more      = areMany && !isStuck ? smallest.vertexNum / partForShape : 0;
-	const std::int64_t vertexNum = smallest.vertexNum + more;
-	const std::int64_t faceNum   = smallest.faceNum + 2 * more;
-	std::string        note =
-		"The result has " + counted(vertexNum, faceNum) + " instead of " + asked() + ", ";
+	const bool         areMany = smallest.vertexNum > fewVertices;
+	const bool         isStuck = areMany && attempts_.reachedNum > smallest.vertexNum;
+	const std::int64_t more    = areMany && !isStuck ? smallest.vertexNum / partForShape : 0;
+	const MeshSize     raised  = smallest.plus(more);
+	std::string        note    = insteadText(raised);
 	note += more == 0 ? "the smallest number reached."
-					  : "a few more than the smallest number reached, " + text(vertexNum - more) +
-							" vertices.";
-	decisions_.vertexNum = attempts_.asked = vertexNum;
-	if (decisions_.faceNum > 0) decisions_.faceNum = faceNum;
-	if (isStuck) return accept(smallest, note);
-	attempts_.searchedFrom = attempts_.searchedNum = 0;
+					  : "a few more than the smallest number reached, " + sizeText(smallest) + ".";
+	attempts_.asked = raised;
+	aimAt(raised);
+	if (isStuck) return accept(raised, note);
 	return withoutFeatureLines(note);
 }
 
-std::string Plan::search(std::int64_t vertexNum)
+std::string Plan::beginSearch(const MeshSize& from)
 {
-	++attempts_.searchedNum;
-	if (vertexNum != attempts_.searchedFrom) decisions_.faceNum = 0;
-	decisions_.vertexNum = vertexNum;
+	attempts_.searchedFrom = from;
+	attempts_.searchedNum  = 1;
+	aimAt(from);
 	return withoutFeatureLines("");
 }
 
-std::string Plan::beginSearch(const RelaxationFacts& from)
+std::string Plan::endSearchAt(const MeshSize& found)
 {
-	attempts_.searchedFrom = from.vertexNum;
-	if (decisions_.faceNum > 0) decisions_.faceNum = from.faceNum;
-	return search(from.vertexNum);
-}
-
-std::string Plan::endSearchAt(const RelaxationFacts& found)
-{
-	if (found.vertexNum == attempts_.asked) return accept(found, "");
-	const std::string counts = counted(found.vertexNum, found.faceNum);
-	if (mayDiffer()) {
-		return accept(found, "The result has " + counts + " instead of " + asked() +
-								 ", with which some triangles would be degenerate.");
-	}
-	refuse("With " + asked() + " some triangles would be degenerate; a possible number is " +
-			   (asksForFaces() ? counts : text(found.vertexNum)) + ".",
-		   found.vertexNum, found.faceNum);
+	if (found.vertexNum == attempts_.asked.vertexNum) return accept(found, "");
+	if (mayDiffer())
+		return accept(found, insteadText(found) + "with which some triangles would be degenerate.");
+	refuse("With " + asked() + " some triangles would be degenerate" +
+			   possibleText("a", found, found),
+		   found);
 }
 
 /// After the last count the search returns to its first count. If the first count is not the wanted
 /// count, a target that is no wish is refused.
 std::string Plan::goOnSearching()
 {
-	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
-	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
-	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom, 0);
-	return search(isOver ? attempts_.searchedFrom
-						 : decisions_.vertexNum + partOf(decisions_.vertexNum, 4));
+	const bool isOver = attempts_.searchedNum == maxSearchedCounts;
+	const bool isAnswer =
+		mayDiffer() || attempts_.searchedFrom.vertexNum == attempts_.asked.vertexNum;
+	if (isOver && !isAnswer) refuseBelow(cannotBe(asked()), attempts_.searchedFrom);
+	++attempts_.searchedNum;
+	decisions_.faceNum   = 0;
+	decisions_.vertexNum = isOver ? attempts_.searchedFrom.vertexNum
+								  : decisions_.vertexNum + partOf(decisions_.vertexNum, 4);
+	return withoutFeatureLines("");
 }
 
 std::string Plan::judgeAreas(const RelaxationFacts& facts)
@@ -577,33 +588,22 @@ std::string Plan::judgeSmallest(const RelaxationFacts& facts)
 {
 	if (attempts_.isRaised || attempts_.searchedNum > 0) return judgeAreas(facts);
 	if (isWish() && mayReturn()) return raiseTo(facts);
-	const bool isByParity = decisions_.faceNum > 0 && facts.faceNum < decisions_.faceNum;
-	if (isByParity) refuseParity(facts.faceNum);
-	if (!needsSearch(facts) || !mayReturn()) refuseBelow(facts.vertexNum, facts.faceNum);
+	if (decisions_.counted(facts) < decisions_.counted(decisions_)) refuseParity(facts);
+	if (!needsSearch(facts) || !mayReturn()) refuseBelow(cannotBe(asked()), facts);
 	return beginSearch(facts);
-}
-
-/// With a target of faces, the vertex count is known only after the step Count.
-std::string Plan::judge(const CountFacts& facts)
-{
-	goOn();
-	if (decisions_.faceNum == 0) return "";
-	const bool isReached = facts.faceNum == decisions_.faceNum;
-	attempts_.asked      = isReached ? facts.vertexNum : 0;
-	if (isReached) decisions_.vertexNum = facts.vertexNum;
-	return "";
 }
 
 std::string Plan::judge(const RelaxationFacts& facts)
 {
-	const bool isReached = decisions_.faceNum > 0 ? facts.faceNum == decisions_.faceNum
-												  : facts.vertexNum == decisions_.vertexNum;
-	const bool misses    = !isPaper(options_) && !isReached;
+	const bool isReached = decisions_.counted(facts) == decisions_.counted(decisions_);
+	// With a target of faces, the vertex count is known only now.
+	if (decisions_.faceNum > 0) attempts_.asked.vertexNum = isReached ? facts.vertexNum : 0;
+	if (isReached) decisions_.vertexNum = facts.vertexNum;
+	const bool misses = !isPaper(options_) && !isReached;
 	if (mayReturn()) {
 		if (facts.hasFeatureLines && misses) {
-			return withoutFeatureLines(
-				std::string("The number of ") + (asksForFaces() ? "faces" : "vertices") +
-				" could not be reached with feature lines, so the result has no feature lines.");
+			return withoutFeatureLines(cannotBe(asked()) +
+									   " and feature lines, so the result has no feature lines.");
 		}
 		if (facts.hasFeatureLines && facts.hasZeroAreas)
 			return withoutFeatureLines("With feature lines some triangles would be degenerate, so "
@@ -632,12 +632,9 @@ std::string Plan::judge(const FitFacts& facts)
 /// next mesh has half as many vertices again; else the run refuses.
 std::string Plan::separateByMore(const ContactFacts& facts)
 {
-	const std::int64_t next = facts.before + partOf(facts.before, 2);
-	const std::int64_t faceNum =
-		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
-	const bool         isFirst = attempts_.separatedFrom == 0;
-	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
-
+	const MeshSize next     = facts.plus(facts.before + partOf(facts.before, 2) - facts.vertexNum);
+	const bool     isFirst  = attempts_.separatedFrom == 0;
+	attempts_.separatedFrom = isFirst ? attempts_.asked.vertexNum : attempts_.separatedFrom;
 	const bool isBesideBorder =
 		(options_.boundary == BoundaryMode::Keep || options_.selectedOnly) &&
 		!keepsJunctions(options_);
@@ -645,54 +642,31 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 		"With " + asked() +
 		(isBesideBorder ? " triangles beside the kept border" : " sheets that meet in junctions") +
 		" would intersect each other";
-	attempts_.separatedFrom = first;
-	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
-		refuse(fault + "; smaller triangles there, or about " + counted(next, faceNum) +
-				   ", are needed.",
-			   next, faceNum);
+	if (!isWish() || next.vertexNum > mostForSheets * attempts_.separatedFrom || !mayReturn()) {
+		refuse(fault + "; smaller triangles there, or about " + sizeText(next) + ", are needed.",
+			   next);
 	}
-	decisions_.vertexNum = attempts_.asked = next;
-	decisions_.faceNum                     = faceNum;
-	decisions_.addedNum                    = 0;
-	attempts_.isRaised                     = true;
-	attempts_.refinementNum                = 0;
+	attempts_.asked = next;
+	aimAt(next);
+	decisions_.addedNum     = 0;
+	attempts_.isRaised      = true;
+	attempts_.refinementNum = 0;
 	return tryAgain(isFirst ? fault + ", so the result has more triangles." : "");
 }
 
 std::string Plan::judge(const ContactFacts& facts)
 {
 	if (facts.isRefused && facts.vertexNum <= facts.before) return separateByMore(facts);
-	if (facts.isRefused && asksForFaces()) {
-		const std::int64_t least = facts.faceNum + 2 * (facts.vertexNum - facts.before);
-		refuse("With " + asked() +
-				   " the surface would intersect itself. The smallest numbers without "
-				   "self-intersections are about " +
-				   text(least) + " and " + text(least + 2) + ".",
-			   facts.vertexNum, least);
-	}
-	if (facts.isRefused) {
-		refuse("With " + text(facts.before) +
-				   " vertices the surface would intersect itself. The smallest number of vertices "
-				   "reached without self-intersections is " +
-				   text(facts.vertexNum) + ".",
-			   facts.vertexNum);
-	}
+	const std::string fault = "With " + asked() + " the surface would intersect itself";
+	if (facts.isRefused) refuseBelow(fault, facts);
 	goOn();
-	const bool isMissed = decisions_.faceNum > 0 ? facts.faceNum != decisions_.faceNum
-												 : facts.vertexNum != facts.before && !mayDiffer();
-	if (isMissed && !isWish()) {
-		refuse("With " + asked() + " the surface would intersect itself, but not with " +
-				   counted(facts.vertexNum, facts.faceNum) + ".",
-			   facts.vertexNum, facts.faceNum);
-	}
+	const bool isOther = decisions_.faceNum > 0 ? facts.faceNum != decisions_.faceNum
+												: facts.vertexNum != facts.before;
+	if (isOther && !mayDiffer()) refuse(fault + ", but not with " + sizeText(facts) + ".", facts);
 	// The repair of small angles may have moved vertices to the border, for as many faces inside.
-	if (decisions_.faceNum > 0) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
-	if (facts.vertexNum == facts.before && !isMissed) return "";
-	if (!isPaper(options_)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
-	if (isMissed) decisions_.faceNum = facts.faceNum;
-	return "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
-		   (asksForFaces() ? asked() : text(facts.before)) +
-		   ", the smallest number reached without self-intersections.";
+	if (isOther || decisions_.faceNum > 0) aimAt(facts.plus(-decisions_.addedNum));
+	return isOther ? insteadText(facts) + "the smallest number reached without self-intersections."
+				   : "";
 }
 
 std::string Plan::judge(const RefinementFacts& facts)
@@ -717,12 +691,9 @@ std::string Plan::judge(const ExportFacts& facts)
 	goOn();
 	isBest_ = true;
 	if (decisions_.purpose == Purpose::CountToBeHad) {
-		hadNums_.push_back(facts);
-		// The number asked for: with the preset paper the mesh has some more or fewer.
-		smallestNum_ = triedVertexNum_;
-		if (!asksForFaces() || hadNums_.size() == 2) throw refusalAtLast();
-		tryToHave(facts.faceNum + attempts_.nextStep());
-		return "";
+		// With the preset paper the mesh has some more or fewer than were asked for.
+		had_.push_back(isPaper(options_) ? tried_ : MeshSize(facts));
+		tryToHave(above(had_.back()));
 	}
 	if (decisions_.purpose != Purpose::Trial) return "";
 	trial_.vertexNum = facts.vertexNum;
@@ -753,72 +724,59 @@ std::string Plan::outcomeForError() const
 /// self-intersections, so that the plan first makes a mesh with the count.
 void Plan::judge(const Failure& failure)
 {
-	const bool namesCount = failure.status == Status::CountTooSmall || failure.smallestFaceNum > 0;
-	const bool isSmall    = namesCount && options_.guard;
-	const bool isFirst    = decisions_.purpose == Purpose::Answer && isSmall;
+	const bool namesCount = failure.possible.vertexNum > 0 && options_.guard;
+	const bool isFirst    = decisions_.purpose == Purpose::Answer && namesCount;
 	if (!isFirst && decisions_.purpose != Purpose::CountToBeHad) throw failure;
+	if (!isFirst && (!namesCount || isNamed())) throw refusalAtLast();
+	named_ = failure.possible;
 	if (isFirst) {
 		refusal_ = failure;
 		refused_ = asked();
+		return tryToHave(named_);
 	}
-	else if (!isSmall || hadNums_.size() == 2 ||
-			 (!asksForFaces() && failure.smallestVertexNum <= triedVertexNum_)) {
-		throw refusalAtLast();
-	}
-	smallestNum_ = failure.smallestVertexNum;
-	if (!asksForFaces()) {
-		// On thin parts each number misses by as much as the number before: the steps grow.
-		constexpr int      even   = 3; // tries
-		const std::int64_t missed = isFirst ? 0 : smallestNum_ - triedVertexNum_;
-		tryToHave(smallestNum_ + std::max(0, triedNum_ - even) * missed);
-	}
-	else {
-		const std::int64_t raised = wantedFaces_ + 2 * partOf(wantedFaces_, 20); // the same parity
-		tryToHave(isFirst ? failure.smallestFaceNum : std::max(failure.smallestFaceNum, raised));
-	}
+	// On thin parts each number misses by as much as the number before: the steps grow.
+	constexpr int      even   = 3; // tries
+	const std::int64_t missed = named_.vertexNum - tried_.vertexNum;
+	tryToHave(missed > 0 ? named_.plus(std::max(0, triedNum_ - even) * missed)
+						 : above(named_.plus(partOf(named_.vertexNum, 20))));
 }
 
-/// Begins a mesh with a count, of faces if faces are counted.
-void Plan::tryToHave(std::int64_t num)
+/// Begins a mesh with a size.
+void Plan::tryToHave(const MeshSize& size)
 {
 	// More vertices do not help sheets at one place, so a count for sheets is no promise.
-	const std::int64_t mostVertices = attempts_.separatedFrom > 0 ? fewVertices : mostTriedVertices;
-	const bool         mayTry =
-		num <= (asksForFaces() ? mostTriedFaces : mostVertices) && triedNum_ < maxTriedCounts;
-	if (num <= 0 || !mayTry || !mayReturn()) throw refusalAtLast();
+	const std::int64_t most = attempts_.separatedFrom > 0 ? fewVertices : mostTriedVertices;
+	const bool isSmall = asksForFaces() ? size.faceNum <= mostTriedFaces : size.vertexNum <= most;
+	const bool mayTry  = isSmall && triedNum_ < maxTriedCounts;
+	if (isNamed() || !mayTry || !mayReturn()) throw refusalAtLast();
 	isBest_ = false;
 	++triedNum_;
 	++returnNum_;
-	if (asksForFaces())
-		wantedFaces_ = num;
-	else
-		triedVertexNum_ = num;
-	beginRun(Purpose::CountToBeHad, asksForFaces() ? 0 : num);
+	tried_ = size;
+	beginRun(Purpose::CountToBeHad, asksForFaces() ? 0 : size.vertexNum);
+}
+
+/// With a target of faces, or where only multiples of a number are possible, two numbers are named.
+bool Plan::isNamed() const
+{
+	const bool areTwo = asksForFaces() || refusal_->status == Status::PromiseBroken;
+	return had_.size() == (areTwo ? 2 : 1);
 }
 
 Failure Plan::refusalAtLast() const
 {
-	if (asksForFaces() && !hadNums_.empty()) {
-		const ExportFacts &first = hadNums_.front(), &last = hadNums_.back();
-		const bool         isSmall = refusal_->status == Status::CountTooSmall;
-		const bool         areTwo  = first.faceNum != last.faceNum;
-		const std::string  faces =
-			text(first.faceNum) + (areTwo ? " and " + text(last.faceNum) : "");
-		const std::string vertices =
-			text(first.vertexNum) + (areTwo ? " and " + text(last.vertexNum) : "");
+	if (had_.empty() && named_.vertexNum != refusal_->possible.vertexNum) {
 		return {refusal_->status,
-				"The surface cannot be meshed with " + refused_ + "; the " +
-					(isSmall ? "smallest" : "nearest") + " possible number" +
-					(areTwo ? "s found are " : " found is ") + faces + " (" + vertices +
-					" vertices).",
-				isSmall ? first.vertexNum : 0, first.faceNum};
+				cannotBe(refused_) + "; about " + sizeText(named_) + " or more are needed.",
+				named_};
 	}
-	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
-	const std::string what =
-		hadNums_.empty() ? "; about " + text(smallestNum_) + " or more are needed."
-						 : "; the smallest possible number found without self-intersections is " +
-							   text(smallestNum_) + ".";
-	return {refusal_->status, "The surface cannot be meshed with " + refused_ + what, smallestNum_};
+	const bool isSmall = refusal_->status == Status::CountTooSmall;
+	if (had_.empty() || (!asksForFaces() && had_[0].vertexNum == refusal_->possible.vertexNum))
+		return *refusal_;
+	return {refusal_->status,
+			cannotBe(refused_) +
+				possibleText(isSmall ? "the smallest" : "the nearest", had_.front(), had_.back()),
+			had_.front()};
 }
 
 } // namespace gpr

@@ -62,14 +62,12 @@ enum class Purpose {
 
 /// The decisions about the mesh under way. The steps depend on the options of the user and on these
 /// decisions only.
-struct Decisions {
-	Purpose      purpose   = Purpose::Answer;
-	Sewing       sewing    = Sewing::NotYet;
-	Way          way       = Way::WithFeatureLines;
-	std::int64_t vertexNum = 0; ///< of the mesh; 0: follows from the area
-	/// Faces of the mesh; 0: vertices are counted. With a face count, vertexNum is a forecast until
-	/// the mesh has the faces.
-	std::int64_t faceNum           = 0;
+/// The size is that of the mesh. vertexNum 0: follows from the area. faceNum 0: vertices are
+/// counted; else vertexNum is a forecast until the mesh has the faces.
+struct Decisions : MeshSize {
+	Purpose      purpose           = Purpose::Answer;
+	Sewing       sewing            = Sewing::NotYet;
+	Way          way               = Way::WithFeatureLines;
 	int          lineLimit         = 0;     ///< a higher limit leaves fewer feature lines
 	bool         keepsRaggedBorder = false; ///< the run gave up BoundaryMode::Smooth
 	bool         mayEndAbove       = false; ///< the mesh may get more vertices than vertexNum
@@ -81,6 +79,11 @@ struct Decisions {
 	std::int64_t wholeNum() const { return vertexNum + addedNum; }
 	/// The count that the mesh shall reach.
 	CountTarget countTarget() const { return {vertexNum, faceNum}; }
+	/// The number of a mesh that is counted: of faces or of vertices.
+	std::int64_t counted(const MeshSize& mesh) const
+	{
+		return faceNum > 0 ? mesh.faceNum : mesh.vertexNum;
+	}
 	/// The count for long edges, sizes and sample spacing. For Way::ByTopology the count is 1, so
 	/// that the mesh reaches the smallest possible count.
 	std::int64_t spacedFor() const { return way == Way::ByTopology ? 1 : vertexNum; }
@@ -120,26 +123,19 @@ struct SampleFacts {
 	float        radius     = 0; ///< of the largest disks, working units
 	float        usual      = 0; ///< radius for the count, working units
 };
-struct CountFacts {
-	std::int64_t vertexNum = 0;
-	std::int64_t faceNum   = 0;
-};
-struct RelaxationFacts {
-	std::int64_t vertexNum       = 0;
-	bool         hasFeatureLines = false;
-	bool         hasZeroAreas    = false; ///< some triangles have an area of rounding errors only
-	bool         hasSmoothBorder = false;
-	bool         isSewn          = false; ///< along seams
-	std::int64_t faceNum         = 0;
+struct RelaxationFacts : MeshSize {
+	bool hasFeatureLines = false;
+	bool hasZeroAreas    = false; ///< some triangles have an area of rounding errors only
+	bool hasSmoothBorder = false;
+	bool isSewn          = false; ///< along seams
 };
 struct FitFacts {
 	bool areLinesCrowded = false; ///< feature lines are too close to each other for good angles
 };
-struct ContactFacts {
+/// The size is that of the mesh now, or of the smallest mesh without contacts.
+struct ContactFacts : MeshSize {
 	std::int64_t before    = 0;     ///< vertices before the step
-	std::int64_t vertexNum = 0;     ///< of the mesh now, or of the smallest one without contacts
-	bool         isRefused = false; ///< contacts are left, because vertexNum is not allowed
-	std::int64_t faceNum   = 0;     ///< of the mesh now
+	bool         isRefused = false; ///< contacts are left, because the size is not allowed
 };
 struct RefinementFacts {
 	int  addedNum   = 0;     ///< vertices added at single places
@@ -149,7 +145,7 @@ struct ErrorFacts {
 	double error = 0; ///< proven bound of the largest distance, mesh units
 	double share = 0; ///< of the area of the input, farther from the result than the error bound
 };
-struct ExportFacts : CountFacts {};
+struct ExportFacts : MeshSize {};
 
 /// The task of a run.
 struct Request {
@@ -231,7 +227,6 @@ public:
 	std::string judge(const ForecastFacts& facts);
 	std::string judge(const LineFacts& facts);
 	std::string judge(const SampleFacts& facts);
-	std::string judge(const CountFacts& facts);
 	std::string judge(const RelaxationFacts& facts);
 	std::string judge(const FitFacts& facts);
 	std::string judge(const ContactFacts& facts);
@@ -268,18 +263,15 @@ private:
 		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
 		SizeFacts    sizes;                 ///< of the surface at hand
 		bool         areSizesKnown = false;
-		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
-		bool         isRaised      = false; ///< beyond the wanted count, to a possible count
-		std::int64_t reachedNum    = 0;     ///< vertices reached from the right spacing
-		double       area          = 0;     ///< working units squared
-		std::int64_t searchedFrom  = 0;     ///< first count of the search of rule 7
-		int          searchedNum   = 0;     ///< counts of the search so far; 0: no search
-		int          correctionNum = 0;     ///< of the radius
+		MeshSize     asked;              ///< to compare the result with; numbers 0: not known
+		bool         isRaised   = false; ///< beyond the wanted count, to a possible count
+		std::int64_t reachedNum = 0;     ///< vertices reached from the right spacing
+		double       area       = 0;     ///< working units squared
+		MeshSize     searchedFrom;       ///< first size of the search of rule 7
+		int          searchedNum   = 0;  ///< counts of the search so far; 0: no search
+		int          correctionNum = 0;  ///< of the radius
 		int          refinementNum = 0;
 		std::int64_t separatedFrom = 0; ///< count at which sheets would intersect; 0: not so
-
-		/// From a possible count to a larger one, for a refusal.
-		std::int64_t nextStep() const { return sizes.countStep > 2 ? sizes.countStep : 2; }
 	};
 	Attempts attempts_;
 
@@ -288,15 +280,13 @@ private:
 	int        trialNum_ = 0;
 	bool       isBest_   = false;
 
-	// The refused count, and the smaller counts that are possible.
+	// The refused count, and the meshes made to name possible counts.
 	std::optional<Failure> refusal_;
-	std::int64_t           smallestNum_ = 0;
-	std::int64_t triedVertexNum_        = 0; ///< number of vertices of the last mesh tried for it
-	std::int64_t wantedFaces_           = 0; ///< of the run under way, with a target of faces
-	std::string  refused_;                   ///< "7 vertices"
-	int          triedNum_ = 0;              ///< counts tried for the refusal
-	std::vector<ExportFacts>
-		hadNums_; ///< counts of meshes made for the refusal: two with a target of faces, else one
+	std::string            refused_;      ///< "7 vertices"
+	MeshSize               named_;        ///< by the last refusal
+	MeshSize               tried_;        ///< in the run under way
+	int                    triedNum_ = 0; ///< sizes tried for the refusal
+	std::vector<MeshSize>  had_;          ///< sizes of the meshes made
 
 	bool        has(Step step) const;
 	bool        isWish() const;
@@ -307,9 +297,16 @@ private:
 	std::string returnIf(bool isNeeded, Step from);
 	void        beginRun(Purpose purpose, std::int64_t vertexNum);
 	std::string tryAgain(std::string note);
-	std::string accept(const RelaxationFacts& facts, std::string note);
+	std::string accept(const MeshSize& mesh, std::string note);
+	void        aimAt(const MeshSize& mesh);
+
+	MeshSize    above(const MeshSize& possible) const;
+	std::string sizeText(const MeshSize& mesh) const;
 	std::string asked() const;
-	std::string counted(std::int64_t vertexNum, std::int64_t faceNum) const;
+	std::string insteadText(const MeshSize& mesh) const;
+	std::string possibleText(const std::string& which, const MeshSize& first,
+							 const MeshSize& last) const;
+	bool        isNamed() const;
 
 	void              resolveCount(const InputFacts& facts);
 	std::int64_t      possible(std::int64_t num) const;
@@ -322,21 +319,18 @@ private:
 	std::string       withoutFeatureLines(const std::string& note);
 	std::string       withRaggedBorder();
 	std::string       withOpenSeams();
-	std::string       nearestWithKept(const RelaxationFacts& reached);
-	std::string       raiseTo(const RelaxationFacts& smallest);
+	std::string       nearestWithKept(const MeshSize& reached);
+	std::string       raiseTo(const MeshSize& smallest);
 	std::string       judgeAreas(const RelaxationFacts& facts);
 	std::string       judgeSmallest(const RelaxationFacts& facts);
 	std::string       separateByMore(const ContactFacts& facts);
-	std::string       search(std::int64_t vertexNum);
-	std::string       beginSearch(const RelaxationFacts& from);
+	std::string       beginSearch(const MeshSize& from);
 	std::string       goOnSearching();
-	std::string       endSearchAt(const RelaxationFacts& found);
-	void              tryToHave(std::int64_t num);
+	std::string       endSearchAt(const MeshSize& found);
+	void              tryToHave(const MeshSize& size);
 	Failure           refusalAtLast() const;
-	[[noreturn]] void refuse(const std::string& why, std::int64_t smallest,
-							 std::int64_t faceNum = 0) const;
-	[[noreturn]] void refuseBelow(std::int64_t smallest, std::int64_t faceNum) const;
-	[[noreturn]] void refuseParity(std::int64_t lower) const;
+	[[noreturn]] void refuseBelow(const std::string& fault, const MeshSize& smallest) const;
+	[[noreturn]] void refuseParity(const MeshSize& lower) const;
 };
 
 } // namespace gpr

@@ -120,7 +120,7 @@ void Remeshing::takeStep()
 		case Step::Samples:      judge(placeSamples(run, d, made_)); break;
 		case Step::GivenSamples: takeGivenSamples(run, d, *given, made_); plan_.goOn(); break;
 		case Step::Triangles:    connectSamples(run, d, made_); plan_.goOn(); break;
-		case Step::Count:        judge(reachCount(run, d, made_)); break;
+		case Step::Count:        reachCount(run, d, made_); plan_.goOn(); break;
 		case Step::Relaxation:   judge(relaxTriangles(run, made_)); break;
 		case Step::Fit:          judge(fitResult(run, d, made_)); break;
 		case Step::Release:      releaseLinesAndFit(run, d, made_); plan_.goOn(); break;

@@ -248,6 +248,11 @@ void tellRegularNum(RunContext& run, Products& made)
 			 std::to_string(2 * made.regularNum) + " faces) are forecast to " + gain + ".");
 }
 
+MeshSize sizeOf(const ResultMesh& result)
+{
+	return {result.vertexNum(), result.faceNum()};
+}
+
 MakingOfVertices makingOf(const RunContext& run, const Products& made)
 {
 	return {made.surface, made.curves, made.sizes.kept, isFitted(run.options), *run.options.adapt};
@@ -283,12 +288,9 @@ RelaxationFacts relaxTriangles(RunContext& run, Products& made)
 	relax(run, made);
 	if (!repairInvertedFaces(made.surface, made.curves, false, made.result, run.workers))
 		run.tellCap("changes for inverted faces");
-	return {made.result.vertexNum(),
-			made.lines.edgeNum > 0,
-			lineFaceNum(made.result.mesh, run.workers) > 0,
-			made.result.hasSmoothBorder,
-			made.surface.isSewn(),
-			made.result.faceNum()};
+	return {sizeOf(made.result), made.lines.edgeNum > 0,
+			lineFaceNum(made.result.mesh, run.workers) > 0, made.result.hasSmoothBorder,
+			made.surface.isSewn()};
 }
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
@@ -341,7 +343,7 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	const std::int64_t before = made.result.vertexNum();
 	separateSheets(run, decisions, made);
 	if (!run.options.guard || isPaper(run.options))
-		return {before, before, false, made.result.faceNum()};
+		return {{before, made.result.faceNum()}, before};
 	run.clock.enter(Stage::Contacts);
 	MakingOfVertices making   = makingOf(run, made);
 	making.mayEndAbove        = decisions.mayEndAbove;
@@ -357,8 +359,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 						run.workers);
 	}
 	const std::int64_t lacking = outcome.vertexNum - made.result.mesh.vertexNum;
-	return {before, made.result.vertexNum() + made.result.mesh.sideNum() * lacking,
-			outcome.isRefused, made.result.faceNum()};
+	return {sizeOf(made.result).plus(made.result.mesh.sideNum() * lacking), before,
+			outcome.isRefused};
 }
 
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made)
@@ -410,7 +412,7 @@ ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
 								made.surface.cleaned.reorientedFaces > 0, made.verified.audit, out);
 	tellRegularNum(run, made);
-	return {made.result.vertexNum(), made.result.faceNum()};
+	return {sizeOf(made.result)};
 }
 
 } // namespace gpr

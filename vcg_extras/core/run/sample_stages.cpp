@@ -163,7 +163,7 @@ void connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 		run.tellCap("changes for inverted faces");
 }
 
-CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
+void reachCount(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const CountTarget target = decisions.countTarget();
 	if (decisions.way == Way::ByTopology) {
@@ -176,7 +176,6 @@ CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& mad
 		reachExactCount(made.surface, made.curves, target, made.result, run.workers);
 	}
 	separateSheets(run, decisions, made);
-	return {made.result.vertexNum(), made.result.faceNum()};
 }
 
 void separateSheets(RunContext& run, const Decisions& decisions, Products& made)

@@ -30,7 +30,7 @@ void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::ve
 void connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
-CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
+void reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Splits edges of one sheet that would coincide with edges of other sheets at a junction, then
 /// restores the count. Does nothing without junctions.

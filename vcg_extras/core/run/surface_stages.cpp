@@ -301,10 +301,10 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, Products& made)
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
 							Products& made)
 {
-	const bool         hasLines = hasFeatureLines(run, decisions, made);
-	const Buffer<char> lines    = hasLines ? std::move(made.lines.marks) : Buffer<char>();
-	made.lines                  = Lines();
-	const bool isWithinError    = run.options.targetMode == TargetMode::MaxError;
+	hasFeatureLines(run, decisions, made);
+	const Buffer<char> lines = std::move(made.lines.marks);
+	made.lines               = Lines();
+	const bool isWithinError = run.options.targetMode == TargetMode::MaxError;
 	return {countForFlatness(made.surface, lines, isWithinError ? rangeWithinError : rangeOfCount,
 							 made.surface.area, decisions.vertexNum, goal.largest, goal.most,
 							 run.workers)};
