@@ -54,7 +54,7 @@ constexpr Row table[] = {
 	{Driver::PoorFaces,      {-2,   0,    0,            0.6f,         0.05f, 0.5f, 0.5f, true,  false}, {30, 20}},
 	{Driver::LargeAngles,    {-2,   0,    asked,        0.6f,         0.05f, 0.5f, 0.5f, true,  false}},
 	{Driver::WorstDistances, {0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false}},
-	{Driver::Refinement,     {-2,   0,    5 * radians,  0,            any,   any,  -2,   false, true},  {20, 0}},
+	{Driver::Refinement,     {-2,   0,    5 * radians,  0,            any,   any,  -2,   false, true},  {60, 0}},
 	{Driver::Contacts,       {-2,   0,    5 * radians,  0.2f,         any,   any,  -2,   false, false}, {16, 0}},
 	{Driver::GuardedRelaxation, {0.7f, 0, 0,            0.2f,         0.1f,  any,  -2,   false, true}},
 	// clang-format on

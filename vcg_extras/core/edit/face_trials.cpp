@@ -295,7 +295,7 @@ bool FaceTrials::make(const Operation& op)
 		return false;
 	const std::vector<int> patch     = editor_.patchOf(op);
 	const int              vertexNum = m_.vertexNum;
-	if (!editor_.make(op)) return false;
+	if (!(goal_.make ? goal_.make(op) : editor_.make(op))) return false;
 	if (goal_.settles) settle(editor_.patchNow(patch, vertexNum));
 	return true;
 }

@@ -27,8 +27,9 @@ struct Goal {
 	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share of cost, less this
 	float collapseCost = 0; ///< a collapse must gain this much more than other operations
 	float contactCost  = 0; ///< cost of a contact of a face; 0: contacts are not looked for
-	std::vector<Operation::Kind> operations;
-	std::vector<float>           stepLengths; ///< of moves, in mean edges
+	std::vector<Operation::Kind>          operations;
+	std::function<bool(const Operation&)> make;        ///< in place of PatchEditor::make, or null
+	std::vector<float>                    stepLengths; ///< of moves, in mean edges
 	bool       settles    = true;  ///< the mesh round a change settles by moves and flips
 	bool       takesFirst = false; ///< every helpful operation is kept, not only the best
 	bool       inPairs    = false; ///< two operations in a row; not with a limit on contacts

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace gpr {
 
@@ -162,6 +163,21 @@ Goal facesInContact(LocalSearch& search, std::function<bool(int face)> isWanted)
 	goal.minGain     = costOfContact / 4;
 	goal.stepLengths = longSteps;
 	goal.limits      = acceptanceOf(Driver::Contacts);
+	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
+	goal.settles         = false;
+	return goal;
+}
+
+Goal splitFaces(std::function<bool(int face)> isWanted)
+{
+	Goal goal;
+	goal.isBad           = std::move(isWanted);
+	goal.faceCost        = [](int) { return -1.0f; }; // more faces cost less
+	goal.operations      = {Operation::Split};
+	goal.maxLeft         = 1;
+	goal.takesFirst      = true;
+	goal.limits          = acceptanceOf(Driver::Refinement);
+	goal.budget.rounds   = 1;
 	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
 	goal.settles         = false;
 	return goal;

@@ -30,6 +30,10 @@ Goal smallAnglesByCount(LocalSearch& search, float angle);
 /// plus the sum over the faces of the squared lack of the smallest angle.
 Goal facesInContact(LocalSearch& search, std::function<bool(int face)> isWanted);
 
+/// Goal to split an edge of each wanted face, until no face is wanted. Any split within the limits
+/// helps.
+Goal splitFaces(std::function<bool(int face)> isWanted);
+
 /// The largest angle (radians) that counts as poor as a smallest angle: 110° for 32°, 180° for 0.
 float asPoorAs(float smallestAngle);
 

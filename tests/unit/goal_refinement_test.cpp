@@ -12,7 +12,6 @@
 #include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/optimization/goal_refinement.h>
-#include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
@@ -70,9 +69,14 @@ int middleOfACrease(const Laid& on)
 	return -1;
 }
 
-LocalRefinement settingsFor(double limit)
+/// More than any test here may need.
+constexpr int many = 1000;
+
+template <class On>
+int refineAt(On& on, const std::vector<FarPoint>& points, double limit, int mostNew = many)
 {
-	return {20 * radians, float(limit), 1000};
+	return gpr::refineAt(on.surface, on.boundary, points, float(limit), mostNew, on.result,
+						 on.workers);
 }
 
 } // namespace
@@ -87,8 +91,7 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	for (int round = 0; round < 12; ++round) {
 		const std::vector<FarPoint> points = pointsBeyond(on, limit);
 		if (points.empty()) break;
-		added +=
-			refineAt(on.surface, on.boundary, points, settingsFor(limit), on.result, on.workers);
+		added += refineAt(on, points, limit);
 	}
 	EXPECT_TRUE(pointsBeyond(on, limit).empty());
 	EXPECT_EQ(on.result.mesh.vertexNum, before + added);
@@ -145,7 +148,7 @@ TEST(LocalRefinement, PutsAVertexAtAFarPoint)
 		if (p.isOfSurface && p.distance > farthest.distance) farthest = p;
 	}
 	ASSERT_GT(farthest.distance, 0);
-	refineAt(on.surface, on.boundary, {farthest}, settingsFor(limit), on.result, on.workers);
+	refineAt(on, {farthest}, limit);
 	float nearest = HUGE_VALF;
 	for (int v = 0; v < on.result.mesh.vertexNum; ++v)
 		nearest = std::min(nearest, length(on.result.mesh.position[v] - farthest.position));
@@ -160,7 +163,7 @@ TEST(LocalRefinement, LeavesAllElseAsItWas)
 	const auto       points = pointsBeyond(on, limit);
 	const float      near   = float(0.4 * on.surface.frame.scale);
 	const Vec3f      middle = on.surface.frame.toWorking(tip);
-	refineAt(on.surface, on.boundary, points, settingsFor(limit), on.result, on.workers);
+	refineAt(on, points, limit);
 	int same = 0;
 	for (int v = 0; v < before.mesh.vertexNum; ++v) {
 		if (length(before.mesh.position[v] - middle) < near) continue;
@@ -172,30 +175,25 @@ TEST(LocalRefinement, LeavesAllElseAsItWas)
 
 TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
 {
-	Laid            on(tent(100), grid(12, 12));
-	const double    limit    = 0.08 * height * on.surface.frame.scale;
-	LocalRefinement settings = settingsFor(limit);
-	settings.mostNew         = 1;
-	const int  before        = on.result.mesh.vertexNum;
-	const auto points        = pointsBeyond(on, limit);
-	EXPECT_EQ(refineAt(on.surface, on.boundary, points, settings, on.result, on.workers), 0);
+	Laid         on(tent(100), grid(12, 12));
+	const double limit  = 0.08 * height * on.surface.frame.scale;
+	const int    before = on.result.mesh.vertexNum;
+	EXPECT_EQ(refineAt(on, pointsBeyond(on, limit), limit, 1), 0);
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
 
 TEST(LocalRefinement, EndsWhenTheBudgetOfContactTestsIsSpent)
 {
-	const auto addedWith = [](std::int64_t mostWork) {
-		Laid            on(tent(100), grid(12, 12));
-		const double    limit    = 0.08 * height * on.surface.frame.scale;
-		LocalRefinement settings = settingsFor(limit);
-		settings.mostWork        = mostWork;
-		return refineAt(on.surface, on.boundary, pointsBeyond(on, limit), settings, on.result,
-						on.workers);
+	const auto addedWith = [](std::int64_t work) {
+		Laid         on(tent(100), grid(12, 12));
+		const double limit = 0.08 * height * on.surface.frame.scale;
+		return gpr::refineAt(on.surface, on.boundary, pointsBeyond(on, limit), float(limit), many,
+							 on.result, on.workers, work);
 	};
-	const int all = addedWith(settingsFor(1).mostWork);
+	const int all = addedWith(workOf(Driver::Refinement));
 	EXPECT_GT(all, 1);
-	EXPECT_EQ(addedWith(0), 1) << "one split needs more work than that";
-	EXPECT_LT(addedWith(100), all);
+	EXPECT_EQ(addedWith(0), 0);
+	EXPECT_LT(addedWith(1000), all);
 }
 
 /// A point beside the border splits a border edge, or the border would stay coarse.
@@ -204,7 +202,7 @@ TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
 	OnSurface                   on(grid(8, 8));
 	const std::vector<FarPoint> points = {
 		{on.surface.frame.toWorking(Vec3d(0.36, 0.001, 0)), 0.1f, false}};
-	ASSERT_EQ(refineAt(on.surface, on.boundary, points, settingsFor(1), on.result, on.workers), 1);
+	ASSERT_EQ(refineAt(on, points, 1), 1);
 	EXPECT_TRUE(on.result.mesh.isBorderVertex(on.result.mesh.vertexNum - 1));
 }
 
@@ -216,7 +214,7 @@ TEST(LocalRefinement, MakesNoVertexThatLeavesItsPointFar)
 	const Vec3d                 above(0.36, 0.44, 0.3); // no point of the surface is there
 	const std::vector<FarPoint> points = {
 		{on.surface.frame.toWorking(above), float(0.3 * on.surface.frame.scale), true}};
-	EXPECT_EQ(refineAt(on.surface, on.boundary, points, settingsFor(1), on.result, on.workers), 0);
+	EXPECT_EQ(refineAt(on, points, 1), 0);
 	EXPECT_TRUE(meshOf(on.result.mesh).positions == before);
 }
 
@@ -261,8 +259,7 @@ TEST(LocalRefinement, DoesNotDependOnThreads)
 		Laid         on(tent(100), grid(12, 12), threads);
 		const double limit = 0.08 * height * on.surface.frame.scale;
 		for (int round = 0; round < 3; ++round)
-			refineAt(on.surface, on.boundary, pointsBeyond(on, limit), settingsFor(limit),
-					 on.result, on.workers);
+			refineAt(on, pointsBeyond(on, limit), limit);
 		return meshOf(on.result.mesh);
 	};
 	const TriangleMesh one = refined(1), four = refined(4);
