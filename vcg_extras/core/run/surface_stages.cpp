@@ -225,7 +225,7 @@ void matchSizesAndEdges(RunContext& run, const Decisions& decisions, Products& m
 	// Splits of a smaller share of the faces are spared on meshes with more faces than this:
 	// connecting anew would take a tenth of the run, and the distances are the same. On smaller
 	// meshes it takes hundredths of a second.
-	constexpr double maxSpared  = 0.005;
+	constexpr double maxSpared  = 0.002;
 	constexpr int    manyFaces  = 200'000;
 	WorkingSurface&  surface    = made.surface;
 	const bool       areByError = made.sizes.areByError;
