@@ -233,11 +233,10 @@ public:
 		const SharedBorders before(m_, keepsShared ? out_.curves : std::vector<Curve>());
 		for (Curve& c : out_.curves) {
 			if (!isOfBorder(c) || isTooShort(c)) continue;
-			std::vector<char> isFixed;
+			std::vector<char> isFixed(std::size_t(c.pointNum()));
 			const int         index = int(&c - out_.curves.data());
 			for (int i = 0; i < c.pointNum(); ++i)
-				isFixed.push_back(isStop(c.vertex[i]) ||
-								  (keepsShared && before.isOnShared(index, i)));
+				isFixed[i] = isStop(c.vertex[i]) || (keepsShared && before.isOnShared(index, i));
 			smoothLoop(wantedChord_, isFixed, c);
 		}
 	}
