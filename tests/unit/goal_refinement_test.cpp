@@ -81,7 +81,7 @@ int refineAt(On& on, const std::vector<FarPoint>& points, double limit, int most
 
 } // namespace
 
-TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
+TEST(RefineAt, BringsTheResultNearWhereItWasFar)
 {
 	Laid         on(tent(100), grid(12, 12));
 	const double limit  = 0.08 * height * on.surface.frame.scale;
@@ -139,7 +139,7 @@ TEST(RefineToGoal, EndsWhereNoNewVertexHelps)
 	EXPECT_LT(on.result.mesh.vertexNum, 2 * before);
 }
 
-TEST(LocalRefinement, PutsAVertexAtAFarPoint)
+TEST(RefineAt, PutsAVertexAtAFarPoint)
 {
 	Laid         on(tent(100), grid(12, 12));
 	const double limit = 0.2 * height * on.surface.frame.scale;
@@ -155,7 +155,7 @@ TEST(LocalRefinement, PutsAVertexAtAFarPoint)
 	EXPECT_LT(nearest, 0.05f * farthest.distance);
 }
 
-TEST(LocalRefinement, LeavesAllElseAsItWas)
+TEST(RefineAt, LeavesAllElseAsItWas)
 {
 	Laid             on(tent(100), grid(12, 12));
 	const ResultMesh before = copyResult(on.result, on.workers);
@@ -173,7 +173,7 @@ TEST(LocalRefinement, LeavesAllElseAsItWas)
 	EXPECT_GT(same, before.mesh.vertexNum / 3);
 }
 
-TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
+TEST(RefineAt, ChangesNothingWhereItWouldNeedTooManyVertices)
 {
 	Laid         on(tent(100), grid(12, 12));
 	const double limit  = 0.08 * height * on.surface.frame.scale;
@@ -182,7 +182,7 @@ TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
 	EXPECT_EQ(on.result.mesh.vertexNum, before);
 }
 
-TEST(LocalRefinement, EndsWhenTheBudgetOfContactTestsIsSpent)
+TEST(RefineAt, EndsWhenTheBudgetOfContactTestsIsSpent)
 {
 	const auto addedWith = [](std::int64_t work) {
 		Laid         on(tent(100), grid(12, 12));
@@ -197,7 +197,7 @@ TEST(LocalRefinement, EndsWhenTheBudgetOfContactTestsIsSpent)
 }
 
 /// A point beside the border splits a border edge, or the border would stay coarse.
-TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
+TEST(RefineAt, SplitsTheBorderBesideAPoint)
 {
 	OnSurface                   on(grid(8, 8));
 	const std::vector<FarPoint> points = {
@@ -207,7 +207,7 @@ TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
 }
 
 /// Splits beside a point that stays far would only crowd vertices.
-TEST(LocalRefinement, MakesNoVertexThatLeavesItsPointFar)
+TEST(RefineAt, MakesNoVertexThatLeavesItsPointFar)
 {
 	OnSurface                   on(grid(8, 8));
 	const auto                  before = meshOf(on.result.mesh).positions;
@@ -253,7 +253,7 @@ TEST(FarPoints, MayLieInTheMiddleOfACreaseEdge)
 	EXPECT_TRUE(pointsBeyond(on, limit).empty());
 }
 
-TEST(LocalRefinement, DoesNotDependOnThreads)
+TEST(RefineAt, DoesNotDependOnThreads)
 {
 	const auto refined = [](int threads) {
 		Laid         on(tent(100), grid(12, 12), threads);

@@ -24,8 +24,9 @@ namespace {
 void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& droppedNum,
 			   CleanCounts& counts, Surface& surface)
 {
-	IndexedMesh mesh = withoutFaces(surface, faces, run.workers, droppedNum);
-	connectOrRepair(run, mesh, counts, surface);
+	const bool  keepsRings = !surface.ring.empty();
+	IndexedMesh mesh       = withoutFaces(surface, faces, run.workers, droppedNum);
+	connectOrRepair(run, mesh, keepsRings, counts, surface);
 }
 
 void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
@@ -56,7 +57,7 @@ void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
 IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts& counts)
 {
 	Surface surface;
-	connectOrRepair(run, mesh, counts, surface);
+	connectOrRepair(run, mesh, false, counts, surface);
 	dropFlatPieces(run, counts, surface);
 	dropSmallComponents(run, counts, surface);
 	return disconnect(surface);
@@ -72,9 +73,9 @@ Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
 	return isFirst ? Sewing::First : wanted;
 }
 
-void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface)
+void connectOrRepair(RunContext& run, IndexedMesh& mesh, bool keepsRings, CleanCounts& counts,
+					 Surface& surface)
 {
-	const bool  keepsRings = run.options.adapt > 0; // for the sizes by the error
 	Buffer<int> faceStart;
 	run.clock.enter(Stage::Order);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
@@ -105,7 +106,8 @@ void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface)
 bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCounts& counts,
 					Surface& surface)
 {
-	connectOrRepair(run, mesh, counts, surface);
+	const bool keepsRings = run.options.adapt > 0; // for the sizes by the error
+	connectOrRepair(run, mesh, keepsRings, counts, surface);
 	if (sewing == Sewing::NotYet && mayHaveSeams(surface, run.workers)) return false;
 	dropFlatPieces(run, counts, surface);
 	return true;

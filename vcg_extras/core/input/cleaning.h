@@ -33,8 +33,9 @@ struct CleanedInput {
 std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts& counts);
 
 /// Orders the mesh in space and connects its faces; repairs a mesh that is not manifold. Uses up
-/// the mesh.
-void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface);
+/// the mesh. keepsRings: see connect.
+void connectOrRepair(RunContext& run, IndexedMesh& mesh, bool keepsRings, CleanCounts& counts,
+					 Surface& surface);
 
 /// Drops thin pieces (findFlatPieces), left by repair or there from the start: a result could mesh
 /// such pieces by degenerate faces only. Pieces between other pieces stay.

@@ -50,7 +50,7 @@ public:
 			(isInside(v) ? in : out).push_back(v);
 		if (in.size() == 3) ++innerFaceNum_;
 		if (in.size() == 2) {
-			--pieceNum_[out[0]];
+			--lessFaces_[out[0]];
 			apexOf_[std::minmax({in[0], in[1]})] = out[0];
 		}
 		if (in.size() == 1) addOpposite(std::minmax({out[0], out[1]}));
@@ -73,12 +73,12 @@ public:
 		}
 	}
 
-	/// To be asked once.
-	bool staysTheSame()
+	bool staysTheSame() const
 	{
 		if (hasTwins_) return false;
-		std::set<int> border; // vertices of the cluster
-		int           innerEdgeNum = 0, innerBorderEdgeNum = 0;
+		std::map<int, int> pieceNum = lessFaces_; // and the edges to the cluster
+		std::set<int>      border;                // vertices of the cluster
+		int                innerEdgeNum = 0, innerBorderEdgeNum = 0;
 		for (const auto& [edge, faceNum] : faceNum_) {
 			const auto [a, b] = edge;
 			if (faceNum > 2) return false;
@@ -88,10 +88,10 @@ public:
 			for (int v : {a, b}) {
 				if (faceNum == 1 && isInside(v)) border.insert(v);
 			}
-			if (!isInner) ++pieceNum_[isInside(a) ? b : a];
+			if (!isInner) ++pieceNum[isInside(a) ? b : a];
 		}
 		if (int(cluster_.size()) - innerEdgeNum + innerFaceNum_ != 1) return false;
-		for (const auto& [beside, num] : pieceNum_) {
+		for (const auto& [beside, num] : pieceNum) {
 			if (num != 1) return false;
 		}
 		return border.empty() || int(border.size()) - innerBorderEdgeNum == 1;
@@ -100,13 +100,13 @@ public:
 private:
 	const std::vector<int>& cluster_; ///< ascending
 	int                     innerFaceNum_ = 0;
-	std::map<int, int>      pieceNum_; ///< per vertex beside the cluster: edges to the cluster,
-									   ///< added last, less the faces between
-	std::map<Edge, int> apexOf_;       ///< per edge of the cluster: the third corner of a face
-	std::map<Edge, int> faceNum_;      ///< per edge with an end in the cluster
-	std::set<Edge>      opposite_;     ///< edges opposite to the cluster, of faces with a corner in
-									   ///< the cluster
-	bool hasTwins_ = false;            ///< two faces would have the same vertices
+	std::map<int, int>      lessFaces_; ///< per vertex beside the cluster: minus the faces with an
+										///< edge of the cluster
+	std::map<Edge, int> apexOf_;        ///< per edge of the cluster: the third corner of a face
+	std::map<Edge, int> faceNum_;       ///< per edge with an end in the cluster
+	std::set<Edge>      opposite_; ///< edges opposite to the cluster, of faces with a corner in
+								   ///< the cluster
+	bool hasTwins_ = false;        ///< two faces would have the same vertices
 
 	bool isInside(int v) const { return std::binary_search(cluster_.begin(), cluster_.end(), v); }
 	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
@@ -124,7 +124,7 @@ private:
 		++inner->second;
 		++faceNum_[std::minmax({a, beside})];
 		++faceNum_[std::minmax({b, beside})];
-		--pieceNum_[beside];
+		--lessFaces_[beside];
 	}
 };
 

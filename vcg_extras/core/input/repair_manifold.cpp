@@ -211,7 +211,7 @@ private:
 				pairs.push_back({bend(g, h), g, h});
 			}
 		}
-		std::sort(pairs.begin(), pairs.end());
+		sortPolled(pairs.begin(), pairs.end(), m_.workers);
 		for (const auto& [bent, g, h] : pairs) {
 			if (m_.link[g] < 0 && m_.link[h] < 0) join(g, h);
 		}

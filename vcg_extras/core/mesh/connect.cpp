@@ -141,9 +141,9 @@ private:
 		}
 	}
 
-	/// Pairs the half-edges with smaller end v, and appends those of the border. Returns false, and
-	/// leaves the pairs to pairMany, at vertices with many neighbours and at edges with more than
-	/// two faces, or two faces in the same direction.
+	/// Pairs the half-edges with smaller end v, and appends the half-edges of the border. Returns
+	/// false, and leaves the pairs to pairMany, at vertices with many neighbours and at edges with
+	/// more than two faces, or two faces in the same direction.
 	bool pairFew(int v, std::vector<int>& border)
 	{
 		Spokes leaving, coming;

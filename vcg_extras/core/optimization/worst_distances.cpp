@@ -111,11 +111,9 @@ private:
 
 	// ---- distances
 
-	Vec3f corner(int f, int k) const { return m_.position[m_.origin[3 * f + k]]; }
-
 	float edgeOf(int f) const
 	{
-		const Vec3f a = corner(f, 0), b = corner(f, 1), c = corner(f, 2);
+		const auto [a, b, c] = m_.corners(f);
 		return (length(b - a) + length(c - b) + length(a - c)) / 3;
 	}
 
@@ -137,8 +135,9 @@ private:
 		float        squared = HUGE_VALF;
 		const int*   c       = &m_.origin[3 * f];
 		for (int g : facesRound(m_, {c[0], c[1], c[2]})) {
-			const Vec3f at  = nearestOnTriangle(p, corner(g, 0), corner(g, 1), corner(g, 2));
-			const float own = squaredLength(at - p);
+			const Corners face = m_.corners(g);
+			const Vec3f   at   = nearestOnTriangle(p, face.a, face.b, face.c);
+			const float   own  = squaredLength(at - p);
 			if (own >= squared) continue;
 			squared = own;
 			nearest = {at, g};
@@ -159,12 +158,13 @@ private:
 	/// Draws a far point of the result to the surface. False if the point stays farther than near.
 	bool drawToSurface(const Vec3f& p, int f)
 	{
-		const std::array<float, 3> weight = weightsAt(p, corner(f, 0), corner(f, 1), corner(f, 2));
+		const Corners              start  = m_.corners(f);
+		const std::array<float, 3> weight = weightsAt(p, start.a, start.b, start.c);
 		return drawTo(f, [&](int& face) -> Gap {
-			const Vec3f at = corner(face, 0) * weight[0] + corner(face, 1) * weight[1] +
-							 corner(face, 2) * weight[2];
-			int         seed = point_[m_.origin[3 * face]].face;
-			const Vec3f way  = nearestOnTheWay(s_, at, 0, seed) - at;
+			const auto [a, b, c] = m_.corners(face);
+			const Vec3f at       = a * weight[0] + b * weight[1] + c * weight[2];
+			int         seed     = point_[m_.origin[3 * face]].face;
+			const Vec3f way      = nearestOnTheWay(s_, at, 0, seed) - at;
 			return {squaredLength(way), way, at};
 		});
 	}
@@ -275,10 +275,10 @@ private:
 	/// The shortest moves of the movable vertices that move the triangle along the whole gap.
 	std::vector<Move> movesAlong(int f, const Gap& gap, const std::vector<int>& vertices) const
 	{
-		const std::array<float, 3> weight =
-			weightsAt(gap.at, corner(f, 0), corner(f, 1), corner(f, 2));
-		std::vector<Move> moves;
-		float             sum = 0;
+		const auto [a, b, c]              = m_.corners(f);
+		const std::array<float, 3> weight = weightsAt(gap.at, a, b, c);
+		std::vector<Move>          moves;
+		float                      sum = 0;
 		for (int k = 0; k < 3; ++k) {
 			const int  v      = m_.origin[3 * f + k];
 			const bool wanted = std::find(vertices.begin(), vertices.end(), v) != vertices.end();
@@ -318,7 +318,7 @@ private:
 		std::vector<Corners> corners;
 		std::vector<float>   agreed;
 		for (int g : faces) {
-			corners.push_back(cornersOf(g));
+			corners.push_back(m_.corners(g));
 			agreed.push_back(normalAgreement(m_, normal_, g));
 		}
 		std::vector<Place> places;
@@ -379,13 +379,11 @@ private:
 		point_[v]      = place.point;
 	}
 
-	Corners cornersOf(int f) const { return {corner(f, 0), corner(f, 1), corner(f, 2)}; }
-
 	bool areSound(const std::vector<int>& faces, const std::vector<Corners>& before,
 				  const std::vector<float>& agreedBefore) const
 	{
 		for (std::size_t i = 0; i < faces.size(); ++i) {
-			if (spoilsFace(limits_, before[i], cornersOf(faces[i]))) return false;
+			if (spoilsFace(limits_, before[i], m_.corners(faces[i]))) return false;
 			const float agrees = normalAgreement(m_, normal_, faces[i]);
 			if (spoilsAgreement(limits_, agreedBefore[i], agrees)) return false;
 		}

@@ -119,7 +119,7 @@ FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
 	surface.frame        = mesh.frame;
 	const float meanEdge = meanEdgeLength(mesh, run.workers);
 	if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
-	connectOrRepair(run, mesh, surface.cleaned, surface);
+	connectOrRepair(run, mesh, false, surface.cleaned, surface);
 	dropFlatPieces(run, surface.cleaned, surface);
 	run.clock.enter(Stage::Detection);
 	FeatureEdges features =
@@ -202,8 +202,7 @@ void splitSurface(RunContext& run, const LongFaces& tooLong, std::int64_t vertex
 	run.clock.enter(Stage::SplitLongEdges);
 	IndexedMesh mesh = disconnect(surface);
 	splitTooLong(run, tooLong, vertexNum, mesh, surface);
-	connectOrRepair(run, mesh, surface.cleaned, surface);
-	surface.ring.release();
+	connectOrRepair(run, mesh, false, surface.cleaned, surface);
 	nameSides(run, surface.mesh, !surface.meetings.empty());
 }
 

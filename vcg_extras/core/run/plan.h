@@ -62,7 +62,7 @@ enum class Purpose {
 
 /// The decisions about the mesh under way. The steps depend on the options of the user and on these
 /// decisions only.
-/// The size is that of the mesh. vertexNum 0: follows from the area. faceNum 0: vertices are
+/// vertexNum and faceNum: of the mesh. vertexNum 0: follows from the area. faceNum 0: vertices are
 /// counted; else vertexNum is a forecast until the mesh has the faces.
 struct Decisions : MeshSize {
 	Purpose      purpose           = Purpose::Answer;
@@ -132,7 +132,7 @@ struct RelaxationFacts : MeshSize {
 struct FitFacts {
 	bool areLinesCrowded = false; ///< feature lines are too close to each other for good angles
 };
-/// The size is that of the mesh now, or of the smallest mesh without contacts.
+/// vertexNum and faceNum: of the mesh now, or of the smallest mesh without contacts.
 struct ContactFacts : MeshSize {
 	std::int64_t before    = 0;     ///< vertices before the step
 	bool         isRefused = false; ///< contacts are left, because the size is not allowed

@@ -26,8 +26,8 @@ public:
 	{
 		const int f = tree_.nearestFace(Vec3d(p));
 		if (f < 0) return {};
-		const auto corner = [&](int k) { return m_.position[m_.origin[3 * f + k]]; };
-		return {nearestOnTriangle(p, corner(0), corner(1), corner(2)), f};
+		const auto [a, b, c] = m_.corners(f);
+		return {nearestOnTriangle(p, a, b, c), f};
 	}
 
 private:
