@@ -18,25 +18,44 @@ namespace gpr {
 
 namespace {
 
-/// The sides of all edges.
-Buffer<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
+std::uint64_t numberOf(int v)
 {
-	return sortedByBuckets<EdgeSide>(
-		3 * std::size_t(mesh.faceNum), std::size_t(mesh.vertexNum),
-		[&](std::size_t h) { return edgeSide(mesh, int(h)); },
-		[](const EdgeSide& s) { return s.low; }, workers);
+	return mixedBits(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
+}
+
+// ---- the border
+
+/// Per vertex the xor of the random numbers of its neighbours, each repeated for every face at the
+/// edge to the neighbour. Not 0 at the ends of border edges.
+Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& workers)
+{
+	Buffer<std::uint64_t> unpaired(mesh.vertexNum, 0);
+	workers.forEach(mesh.faceNum, [&](int f) {
+		const int*          corner    = &mesh.triangle[3 * f];
+		const std::uint64_t number[3] = {numberOf(corner[0]), numberOf(corner[1]),
+										 numberOf(corner[2])};
+		for (int k = 0; k < 3; ++k)
+			__atomic_fetch_xor(&unpaired[corner[k]], number[(k + 1) % 3] ^ number[(k + 2) % 3],
+							   __ATOMIC_RELAXED);
+	});
+	return unpaired;
 }
 
 /// The half-edges at edges with a single face.
 std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 {
-	const Buffer<EdgeSide> sides = sortedSides(mesh, workers);
-	const int              num   = int(sides.size());
-	return workers.collectEach<int>(sides.size(), [&](int i, auto& out) {
-		const bool isFirst = i == 0 || !sides[i].isOfSameEdge(sides[i - 1]);
-		const bool isLast  = i + 1 == num || !sides[i].isOfSameEdge(sides[i + 1]);
-		if (isFirst && isLast) out.push_back(sides[i].halfEdge);
+	const Buffer<std::uint64_t> unpaired = unpairedNeighbours(mesh, workers);
+	std::vector<EdgeSide>       sides =
+		workers.collectEach<EdgeSide>(3 * std::size_t(mesh.faceNum), [&](int h, auto& out) {
+			const EdgeSide e = edgeSide(mesh, h);
+			if (unpaired[e.low] != 0 && unpaired[e.high] != 0) out.push_back(e);
+		});
+	sortPolled(sides.begin(), sides.end(), workers);
+	std::vector<int> border;
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (end - begin == 1) border.push_back(sides[begin].halfEdge);
 	});
+	return border;
 }
 
 // ---- seams
@@ -176,8 +195,11 @@ private:
 
 	void joinNeighbours(std::vector<int>& parts) const
 	{
-		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
-		Poller                 poller(workers_);
+		const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
+			3 * std::size_t(mesh_.faceNum), std::size_t(mesh_.vertexNum),
+			[&](std::size_t h) { return edgeSide(mesh_, int(h)); },
+			[](const EdgeSide& s) { return s.low; }, workers_);
+		Poller poller(workers_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
 			if (end - begin != 2) return;

@@ -21,7 +21,7 @@ constexpr float leastSeamAngleDeg = 1;
 /// ends get equal coordinates. Parts to turn over are left for repairManifold. Faces keep their
 /// order and their sources; the vertices of a face move by at most samePlace.
 ///
-/// Needs: no vertex twice in a face. Cost: linear, parallel; O(B log B) for B
+/// Needs: no vertex twice in a face. Cost: two parallel passes over the faces; O(B log B) for B
 /// border edges; O(F log F), serial, if edges run in the same direction.
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 
